@@ -152,7 +152,8 @@ std::string stated_unit(const Measured& measured, const std::string& option_valu
     const std::string option{measured.option}, what{measured.what}, examples{measured.examples};
     const auto fits = [&](std::string_view unit) { return table::dimension_of(unit) == measured.dimension; };
     if (!option_value.empty() && !fits(option_value))
-        throw Error(ExitCode::usage, option, core::quoted(option_value) + " is not a unit of " + what, "use " + examples);
+        throw Error(ExitCode::usage, option, core::quoted(option_value) + " is not a unit of " + what,
+                    "use " + examples);
     if (!option_value.empty()) return option_value;
     if (fits(heading.unit)) return heading.unit;
     const std::string_view unknown = in_brackets(heading.name);

@@ -65,9 +65,9 @@ struct Fit {
     /// Largest error of the nominal stress relative to the measured one, over rows with at least 20 % strain (below that the zero
     /// error of the load cell dominates); nullopt without such rows.
     std::optional<double> max_relative_error = {};
-    double aicc = 0;        ///< n ln(weighted sum of squares / n) + 2 k + 2 k (k+1)/(n-k-1)
-    double max_I1 = 3;  ///< of the data: beyond it the law extrapolates
-    double condition = 1;   ///< of the Jacobian with columns scaled to length 1
+    double aicc = 0;       ///< n ln(weighted sum of squares / n) + 2 k + 2 k (k+1)/(n-k-1)
+    double max_I1 = 3;     ///< of the data: beyond it the law extrapolates
+    double condition = 1;  ///< of the Jacobian with columns scaled to length 1
     std::vector<material::StabilityLimit>
         limits;           ///< first unstable stretch of each mode, searched beyond the data too
     bool stable = false;  ///< up to max_I1, in every mode

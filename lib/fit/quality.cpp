@@ -10,12 +10,12 @@
 namespace soft::fit {
 namespace {
 
-constexpr double max_condition = 1e4;   // above it the constants are strongly correlated
-constexpr double offset_strain = 0.25;      // strain at which an offset is compared with the stress
+constexpr double max_condition = 1e4;     // above it the constants are strongly correlated
+constexpr double offset_strain = 0.25;    // strain at which an offset is compared with the stress
 constexpr double min_error_strain = 0.2;  // at smaller strains the zero error of the load cell dominates
 constexpr double max_offset_share = 0.1;
 constexpr double invariant_tolerance = 1e-9;  // relative; I1 at the end of the data is computed in two ways
-constexpr double min_scan = 0.3;            // as material::default_stretch_range
+constexpr double min_scan = 0.3;              // as material::default_stretch_range
 
 /// Stretch of the mode at which I1 takes the given value above 3, in tension or compression, by bisection.
 double stretch_of_invariant(Mode mode, double I1, material::Sense sense) {
@@ -130,7 +130,8 @@ void add_stability(Fit& fit) {
     const double end = fit.max_I1 * (1.0 + invariant_tolerance);
     const material::StretchRange range{
         std::min(min_scan, stretch_of_invariant(Mode::uniaxial, end, material::Sense::compression)),
-        std::max(material::default_stretch_range.max, stretch_of_invariant(Mode::uniaxial, end, material::Sense::tension))};
+        std::max(material::default_stretch_range.max,
+                 stretch_of_invariant(Mode::uniaxial, end, material::Sense::tension))};
     fit.limits = material::stability_limits(*rubber, range);
     for (const material::StabilityLimit& limit : fit.limits) {
         if (first_invariant(limit.mode, limit.stretch) > end) continue;

@@ -52,7 +52,8 @@ std::vector<RankedFit> rank(const std::vector<TestCurve>& tests, const Settings&
     for (const Candidate& candidate : candidates())
         if (has_enough_rows(candidate, tests))
             ranked.push_back({fit(candidate, tests, settings), predictions_of(candidate, tests, settings)});
-    if (ranked.empty()) ranked.push_back({fit(candidates().front(), tests, settings), {}});  // throws the error about too few rows
+    if (ranked.empty())
+        ranked.push_back({fit(candidates().front(), tests, settings), {}});  // throws the error about too few rows
     std::stable_sort(ranked.begin(), ranked.end(), [](const RankedFit& a, const RankedFit& b) {
         if (a.fit.stable != b.fit.stable) return a.fit.stable;
         return a.fit.aicc < b.fit.aicc;

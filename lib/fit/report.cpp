@@ -55,7 +55,8 @@ std::string constants(const Fit& fit) {
     for (const bool stress : {true, false}) {
         std::vector<std::string> values, errors;
         for (const Constant& constant : fit.list)
-            if (constant.is_stress == stress) values.push_back(value_text(constant)), errors.push_back(error_text(constant));
+            if (constant.is_stress == stress)
+                values.push_back(value_text(constant)), errors.push_back(error_text(constant));
         text += line(stress ? "  mu" : "  alpha", std::string{"["}.append(core::join(values)).append("]"),
                      core::join(errors));
     }

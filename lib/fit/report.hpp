@@ -10,8 +10,8 @@ namespace soft::fit {
 /// Further information for the report.
 struct Provenance {
     std::string command_line = {};  ///< "fit-material 0.1.0 (revision): command line"; empty: omitted
-    std::string notice = {};        ///< source and licence of the data, for a comment at the top; may contain line feeds
-    std::string protocol = {};      ///< one line given by the user: test standard, rate; empty: omitted
+    std::string notice = {};    ///< source and licence of the data, for a comment at the top; may contain line feeds
+    std::string protocol = {};  ///< one line given by the user: test standard, rate; empty: omitted
 };
 
 /// Writes constants with ten digits, because large terms of opposite sign cancel in some laws.

@@ -131,7 +131,8 @@ TestCurve read_test(std::string_view text, std::string_view source, Mode mode, c
         test.nominal_Pa.push_back(point.nominal_Pa);
     }
     if (test.stretch.size() < 2)
-        refuse(table, last_line, "only " + std::to_string(test.stretch.size()) + " of the rows up to this line can be used",
+        refuse(table, last_line,
+               "only " + std::to_string(test.stretch.size()) + " of the rows up to this line can be used",
                "at least two rows must lie in --range after --skip-rows");
     return test;
 }

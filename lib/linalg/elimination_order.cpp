@@ -73,7 +73,8 @@ private:
     void check() const {
         if (common_.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
         if (common_.status < CHOLMOD_OK)
-            throw Error(ExitCode::internal, "CHOLMOD", "nested dissection failed with status " + std::to_string(common_.status));
+            throw Error(ExitCode::internal, "CHOLMOD",
+                        "nested dissection failed with status " + std::to_string(common_.status));
     }
 
     cholmod_common common_{};

@@ -40,8 +40,7 @@ struct InteriorFactor::Mumps {
         control(12) = 1;
         control(14) = mumps_work_space;
         control(19) = 3;  // the whole Schur complement, by columns
-        control(24) =
-            1;  // report zero pivots; with a Schur complement MUMPS ignores them silently otherwise
+        control(24) = 1;  // report zero pivots; with a Schur complement MUMPS ignores them silently otherwise
         control(33) = 1;  // the determinant
         read_options();
     }

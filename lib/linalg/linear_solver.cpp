@@ -203,9 +203,8 @@ LinearSolve LinearSolver::solve(Vec b, Vec x, Factor factor) {
     LinearSolve result = solve_once(b, x);
     if (settings_.method != LinearMethod::automatic || factor == Factor::stale) return result;
     const auto is_poor = [&] {
-        return choice_ == Choice::small_ldlt
-                   ? result.iterations > max_iterations_of_small_factors || !result.converged
-                   : result.iterations > max_iterations_of_ldlt;
+        return choice_ == Choice::small_ldlt ? result.iterations > max_iterations_of_small_factors || !result.converged
+                                             : result.iterations > max_iterations_of_ldlt;
     };
     while (is_poor() && use_next_factorization()) {
         if (!factorize().succeeded) return {};

@@ -97,7 +97,7 @@ private:
     bool mixed_ = false;  // has pressure unknowns
     Matrix A_, B_;
     std::vector<double> inverse_;  // of the blocks of C + M_g, one after the other
-    BlockIndices indices_;           // of the cells' displacements in A_
+    BlockIndices indices_;         // of the cells' displacements in A_
     OwnedPC cycle_;
     Vector from_u_, to_u_, from_p_, to_p_;
     Scatter displacements_, pressures_;

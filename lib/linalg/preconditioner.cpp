@@ -14,7 +14,8 @@ using model::LinearMethod;
 using model::Preconditioner;
 
 [[noreturn]] void refuse_library(const std::string& key, const std::string& library) {
-    throw Error(ExitCode::bad_input, key, "this PETSc was built without " + library, "choose another method, or automatic");
+    throw Error(ExitCode::bad_input, key, "this PETSc was built without " + library,
+                "choose another method, or automatic");
 }
 
 void set_factorization(PC pc, PCType type, MatSolverType library, const char* name) {
@@ -47,9 +48,9 @@ void set_cholmod(PC pc) {
         throw Error(ExitCode::bad_input, "solver.linear",
                     "cholmod runs on one rank only, not on " + std::to_string(ranks), "use mumps-ldlt, or one rank");
     set_factorization(pc, PCCHOLESKY, MATSOLVERCHOLMOD, "CHOLMOD (SuiteSparse)");
-    set_defaults(
-        {{"-mat_cholmod_print", "0"},              // its warnings go to stdout, which is for data
-         {"-mat_cholmod_factor", "supernodal"}});  // LL^T: CHOLMOD's simplicial LDL^T for small matrices accepts negative pivots
+    set_defaults({{"-mat_cholmod_print", "0"},  // its warnings go to stdout, which is for data
+                  {"-mat_cholmod_factor",
+                   "supernodal"}});  // LL^T: CHOLMOD's simplicial LDL^T for small matrices accepts negative pivots
 }
 
 void set_boomeramg(PC pc) {

@@ -42,7 +42,9 @@ public:
     void add_pair(const Curve* plus, const Curve* minus);
     void add_sample(const Curve* sample);
 
-    [[nodiscard]] const Curve& rows() const noexcept { return rows_; }  ///< of the fitted constants, at the requested values
+    [[nodiscard]] const Curve& rows() const noexcept {
+        return rows_;
+    }  ///< of the fitted constants, at the requested values
     [[nodiscard]] Band band() const;
     /// Warnings, one sentence each: rows that a shifted curve or a sample does not reach, and rows where nothing varies.
     [[nodiscard]] std::vector<std::string> notes() const;

@@ -97,8 +97,7 @@ std::vector<ErrorSummary> compare(const Curve& curve, const Measured& measured) 
 }
 
 std::string csv_text(const Curve& curve, const Measured& measured, std::span<const ErrorSummary> errors) {
-    std::string text =
-        "quantity,unit,at_equal,points,left_out,mean,mean_absolute,rms,largest,max_line,measured,r2\n";
+    std::string text = "quantity,unit,at_equal,points,left_out,mean,mean_absolute,rms,largest,max_line,measured,r2\n";
     for (const ErrorSummary& error : errors) {
         const Column& of = curve.columns[error.of];
         std::vector<std::string> cells{of.quantity, of.unit, curve.columns[error.at].quantity,
@@ -131,7 +130,7 @@ std::vector<std::string> summary_lines(const Curve& curve, const Measured& measu
 }
 
 std::vector<Claim> check_max_error(const Curve& curve, const Measured& measured, std::span<const ErrorSummary> errors,
-                                 std::string_view limit) {
+                                   std::string_view limit) {
     std::vector<Claim> claims;
     for (const ErrorSummary& error : errors) {
         const Column& of = curve.columns[error.of];
@@ -139,8 +138,7 @@ std::vector<Claim> check_max_error(const Curve& curve, const Measured& measured,
         if (!std::holds_alternative<double>(parsed)) continue;
         const double allowed = in_column_unit(of, std::get<double>(parsed));
         if (allowed < 0)
-            throw Error(ExitCode::usage, "--max-error", core::quoted(limit) + " is negative",
-                        "give a positive limit");
+            throw Error(ExitCode::usage, "--max-error", core::quoted(limit) + " is negative", "give a positive limit");
         Claim claim{"largest error of " + name_of(curve, error) + " is at most " + with_unit(of, allowed) + " (" +
                         points_text(error) + ")",
                     ""};
@@ -149,10 +147,9 @@ std::vector<Claim> check_max_error(const Curve& curve, const Measured& measured,
                             " at " + location_text(curve, measured, error) + ", allowed is " + with_unit(of, allowed);
         else if (error.left_out > 0)
             claim.failure = core::counted(error.left_out, "measured point") + " of " +
-                            std::to_string(error.points + error.left_out) +
-                            " lie beyond the path, so the limit of " + with_unit(of, allowed) + " of " +
-                            name_of(curve, error) + " cannot be checked; extend the path (path.until), or remove them from " +
-                            measured.source;
+                            std::to_string(error.points + error.left_out) + " lie beyond the path, so the limit of " +
+                            with_unit(of, allowed) + " of " + name_of(curve, error) +
+                            " cannot be checked; extend the path (path.until), or remove them from " + measured.source;
         claims.push_back(std::move(claim));
     }
     if (!claims.empty()) return claims;

@@ -22,12 +22,12 @@
 namespace soft::post {
 
 struct ErrorSummary {
-    std::size_t of = 0, at = 0;  ///< columns of the curve: error of `of` at equal values of `at`
-    std::size_t points = 0;      ///< in the common range
-    std::size_t left_out = 0;    ///< points outside the common range
+    std::size_t of = 0, at = 0;                   ///< columns of the curve: error of `of` at equal values of `at`
+    std::size_t points = 0;                       ///< in the common range
+    std::size_t left_out = 0;                     ///< points outside the common range
     double mean = 0, mean_absolute = 0, rms = 0;  ///< in the unit of column `of`
     double largest = 0;                           ///< signed error with the largest magnitude
-    std::size_t max_row = 0;                  ///< measured row of the largest error
+    std::size_t max_row = 0;                      ///< measured row of the largest error
     std::optional<double> r2 = {};
 };
 
@@ -45,6 +45,6 @@ struct ErrorSummary {
 /// Checks that the largest error of each quantity with the dimension of `limit` ("5kPa", "2mm") is within the limit, and that no
 /// measured point lies beyond the path, where it cannot be checked. Throws Error(usage) if no measured quantity has this dimension.
 [[nodiscard]] std::vector<Claim> check_max_error(const Curve& curve, const Measured& measured,
-                                               std::span<const ErrorSummary> errors, std::string_view limit);
+                                                 std::span<const ErrorSummary> errors, std::string_view limit);
 
 }  // namespace soft::post

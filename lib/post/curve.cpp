@@ -241,19 +241,18 @@ Curve make_curve(const model::Case& model, std::span<const solution::Step> steps
     Column number = plain("step", Role::counter, "number of the row");
     Column stage = plain("stage", Role::stage, "number of the stage, from 1, if the path has several");
     Column load = leading_column(model);
-    Column volume =
-        coordinate("volume", millilitre, Source::volume, "volume enclosed by the cavities of the first load, whole actuator");
+    Column volume = coordinate("volume", millilitre, Source::volume,
+                               "volume enclosed by the cavities of the first load, whole actuator");
     std::vector<Column> errors;
     if (!steps.empty() && steps.front().pressure_error_Pa) {
         errors.push_back(error_column(load));
         for (const Column& output : lists[0].columns) errors.push_back(error_column(output));
     }
-    Column p99 =
-        plain("stretch_p99", Role::dependent, "principal stretch exceeded in 1 % of the rubber; converges with the mesh");
+    Column p99 = plain("stretch_p99", Role::dependent,
+                       "principal stretch exceeded in 1 % of the rubber; converges with the mesh");
     Column largest = plain("max_stretch", Role::dependent, "largest principal stretch at a quadrature point");
     Column jacobian = plain("min_J", Role::dependent, "smallest volume ratio J at a quadrature point");
-    Column stable =
-        plain("stable", Role::flag, "1 if the state is stable under the loads as stated in the design");
+    Column stable = plain("stable", Role::flag, "1 if the state is stable under the loads as stated in the design");
     Column controlled = plain("stable_under_control", Role::flag,
                               "1 if the state is stable under the control used, such as a prescribed volume");
     const bool has_controlled = !steps.empty() && std::ranges::all_of(steps, [](const solution::Step& step) {

@@ -11,7 +11,8 @@
 namespace soft::post {
 namespace {
 
-constexpr double small_share = 1e-3;  // of the largest value in the column: smaller values are treated as this large, see the header
+constexpr double small_share =
+    1e-3;  // of the largest value in the column: smaller values are treated as this large, see the header
 constexpr std::size_t absent = static_cast<std::size_t>(-1);
 
 /// A column of the golden table and the matching column of the curve.
@@ -34,8 +35,7 @@ std::vector<Pair> pair_columns(const Curve& curve, const table::Table& golden, c
         for (const double value : pair.golden) pair.largest = std::max(pair.largest, std::abs(value));
         for (std::size_t k = 0; k < curve.columns.size(); ++k)
             if (curve.columns[k].name == pair.name) pair.column = k;
-        if (pair.column != absent && curve.columns[pair.column].role == Role::counter)
-            continue;  // step numbers differ
+        if (pair.column != absent && curve.columns[pair.column].role == Role::counter) continue;  // step numbers differ
         for (const Allowance& allowance : tolerance.absolute)
             if (allowance.quantity.empty() ||
                 (pair.column != absent && curve.columns[pair.column].quantity == allowance.quantity))
@@ -82,9 +82,8 @@ double interpolation_allowance(const Column& column, const PathPosition& positio
         case Role::coordinate:
         case Role::counter: return 0;
         case Role::dependent: {
-            const double straight =
-                column.values[position.left] +
-                position.t * (column.values[position.right] - column.values[position.left]);
+            const double straight = column.values[position.left] +
+                                    position.t * (column.values[position.right] - column.values[position.left]);
             return std::abs(found - straight);
         }
         case Role::flag:
@@ -198,8 +197,7 @@ Verdict check_golden(const Curve& curve, const table::Table& golden, const Toler
     const auto known =
         std::count_if(pairs.begin(), pairs.end(), [](const Pair& pair) { return pair.column != absent; });
     if (known < 2)
-        throw Error(ExitCode::bad_input, golden.source,
-                    "has no column to check besides the one that locates its rows",
+        throw Error(ExitCode::bad_input, golden.source, "has no column to check besides the one that locates its rows",
                     "give a table with at least two quantities");
     const std::size_t leader = leading_track(tracks), column = tracks[leader].column;
     const Path path(curve);

@@ -56,7 +56,7 @@ struct Verdict {
     std::vector<ColumnVerdict> columns;
     std::size_t rows = 0, differing_rows = 0;
     double nearest_miss = 0;  ///< largest |found - golden| / allowed
-    double covered = 1;  ///< fraction of the path length between the first and the last golden row found on it
+    double covered = 1;       ///< fraction of the path length between the first and the last golden row found on it
 
     [[nodiscard]] bool agrees() const noexcept;
 };

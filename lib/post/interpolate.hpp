@@ -59,10 +59,11 @@ private:
     [[nodiscard]] double in_interval(std::size_t column, std::size_t interval, double t) const;
 
     const Curve* curve_;
-    std::vector<std::size_t> rows_;             ///< distinct rows of the path
-    std::vector<double> s_;                     ///< their parameters: cumulative mean speeds of the intervals
-    std::vector<std::vector<Hermite>> pieces_;  ///< [column][interval]; functions of t, or of the progress for columns without slopes
-    std::vector<Hermite> progress_;             ///< [interval], function of t
+    std::vector<std::size_t> rows_;  ///< distinct rows of the path
+    std::vector<double> s_;          ///< their parameters: cumulative mean speeds of the intervals
+    std::vector<std::vector<Hermite>>
+        pieces_;  ///< [column][interval]; functions of t, or of the progress for columns without slopes
+    std::vector<Hermite> progress_;  ///< [interval], function of t
 };
 
 }  // namespace soft::post

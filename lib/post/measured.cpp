@@ -201,9 +201,8 @@ Measured read_measured(const table::Table& file, const Curve& curve, std::span<c
             found(is_base)
                 ? "no quantity to compare with the " + column.quantity + " was found among " + column_list(file)
                 : "no " + column.quantity + " was found among " + column_list(file),
-            (lacks == curve.columns.end()
-                 ? std::string{}
-                 : "name its column, e.g. --columns " + lacks->quantity + "=1" + unit + "; ") +
+            (lacks == curve.columns.end() ? std::string{}
+                                          : "name its column, e.g. --columns " + lacks->quantity + "=1" + unit + "; ") +
                 "the case has " + curve.coordinate_names());
     }
 

@@ -207,8 +207,7 @@ PlotAxes plot_axes(const Curve& curve, const PlotRequest& request, const Measure
     const auto named = [&](const std::string& name, const char* option) {
         const std::size_t column = named_column(curve, name, option);
         if (measured != nullptr && measured->find(column) == nullptr)
-            throw Error(ExitCode::usage, option,
-                        core::quoted(name) + " was not measured",
+            throw Error(ExitCode::usage, option, core::quoted(name) + " was not measured",
                         "plot without --compare, or choose a measured quantity");
         return column;
     };

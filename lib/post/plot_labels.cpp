@@ -77,7 +77,8 @@ std::string label_commands(std::span<const PlotLabel> labels, std::span<const Pl
             const bool is_outside = box.centre[0] - half[0] < -same_point || box.centre[0] + half[0] > 1 + same_point ||
                                     box.centre[1] - half[1] < 0;
             if (is_hidden || (is_outside && shift[1] <= 0)) continue;
-            const auto points = std::ranges::count_if(shares, [&](const PlotPoint& point) { return box.contains(point); });
+            const auto points =
+                std::ranges::count_if(shares, [&](const PlotPoint& point) { return box.contains(point); });
             if (best != nullptr && points >= fewest) continue;
             best = &shift;
             fewest = points;

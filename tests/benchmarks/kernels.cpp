@@ -96,7 +96,8 @@ void time_evaluation(benchmark::State& state, Wanted wanted, const Peak& peak) {
     const linalg::Matrix K = system.make_matrix();
     const auto levels = assembly::no_loads(input);
     const auto cells = static_cast<double>(input.mesh.cell_count());
-    static_cast<void>(system.evaluate(x, levels, R, K));  // the first evaluation looks up the indices of the matrix entries
+    static_cast<void>(
+        system.evaluate(x, levels, R, K));  // the first evaluation looks up the indices of the matrix entries
     for (auto _ : state)
         if (!system.evaluate(x, levels, R, wanted == Wanted::stress ? nullptr : K.get()).admissible())
             state.SkipWithError("the sample mesh is inverted");

@@ -12,14 +12,15 @@ inline constexpr int chain_count = 10;
 
 template <int Width>
 struct VectorOf {
-    typedef double Type
-        __attribute__((vector_size(Width * sizeof(double))));  // with `using` GCC drops the attribute of a dependent size
+    typedef double Type __attribute__((
+        vector_size(Width * sizeof(double))));  // with `using` GCC drops the attribute of a dependent size
 };
 
 template <int Width>
 [[nodiscard]] inline double multiply_adds(long rounds) {
     using Vector = typename VectorOf<Width>::Type;
-    const Vector factor = Vector{} + 0.999999, term = Vector{} + 1e-6;  // converges to 1: neither overflow nor denormals
+    const Vector factor = Vector{} + 0.999999,
+                 term = Vector{} + 1e-6;  // converges to 1: neither overflow nor denormals
     Vector chain[chain_count];
     for (int c = 0; c < chain_count; ++c) chain[c] = Vector{} + 1.0 + 0.01 * c;
     for (long round = 0; round < rounds; ++round)

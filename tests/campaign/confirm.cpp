@@ -62,7 +62,8 @@ std::optional<double> value_of(const io::Result& result, const std::string& quan
 
 Verdict confirm_done(const io::Result& result) {
     const Step& last = result.steps.back();
-    if (last.stage + 1 != static_cast<int>(result.model.path.stages.size())) return {false, "not all stages are complete"};
+    if (last.stage + 1 != static_cast<int>(result.model.path.stages.size()))
+        return {false, "not all stages are complete"};
     for (const model::Until& until : result.model.path.stages.back().until)
         if (const auto value = value_of(result, until.quantity);
             value && std::abs(*value - until.value) <= goal_tolerance * std::abs(until.value))
@@ -151,7 +152,9 @@ Verdict confirm_limit_point(const io::Result& result) {
         return {true, "the load has an asymptote: " + text(factors[n - 1]) + " of the full load at the end"};
     // Or its growth decays with a power of the displacements: the integral of this power law is the remaining growth.
     const double before = (values[1] - values[2]) / distances[1], last = gain / distances[0];
-    const double power = std::log(before / last) / std::log((*all - distances[0] / 2) / (*all - distances[0] - distances[1] / 2)) - 1,
+    const double power = std::log(before / last) /
+                             std::log((*all - distances[0] / 2) / (*all - distances[0] - distances[1] / 2)) -
+                         1,
                  to_come = last * *all / power;
     const bool far = result.steps.back().stretch_p99 > far_beyond * result.model.path.stretch_limit;
     if (controlled == factors && far && left > 0 && last > 0 && power > min_power && to_come < reachable * left)

@@ -44,8 +44,10 @@ std::string motions(const io::Result& result) {
                     const double asked = motion.displacement_m[i].value_or(0);
                     if (asked == 0) continue;
                     const double share = last->displacement_m[3 * static_cast<std::size_t>(node) + i] / asked;
-                    if (share < -motion_tolerance || share > 1 + motion_tolerance || (is_complete && share < 1 - motion_tolerance))
-                        return "the moved face " + motion.face + " has moved by " + text_of(share) + " of the prescribed displacement";
+                    if (share < -motion_tolerance || share > 1 + motion_tolerance ||
+                        (is_complete && share < 1 - motion_tolerance))
+                        return "the moved face " + motion.face + " has moved by " + text_of(share) +
+                               " of the prescribed displacement";
                 }
     }
     return "";

@@ -97,8 +97,10 @@ bool Creases::has_closed(std::span<const Point> before, std::span<const Point> n
         return std::ranges::any_of(edge_samples, [&](double along) {
             const double is = rubber_angle(crease, along, now);
             if (!(is > 0 && is < max_closed_angle)) return false;
-            const double was = rubber_angle(crease, along, before), first = rubber_angle(crease, along, model_.mesh.points);
-            return (was < 0 || was > std::numbers::pi - max_closed_angle) && (first < -min_open_angle || first > max_closed_angle);
+            const double was = rubber_angle(crease, along, before),
+                         first = rubber_angle(crease, along, model_.mesh.points);
+            return (was < 0 || was > std::numbers::pi - max_closed_angle) &&
+                   (first < -min_open_angle || first > max_closed_angle);
         });
     });
 }

@@ -28,7 +28,7 @@ private:
     };
     struct Crease {
         EdgeSide one;
-        EdgeSide other;     ///< equal to `one` at a symmetry plane
+        EdgeSide other;   ///< equal to `one` at a symmetry plane
         int mirror = -1;  ///< index of the coordinate that is zero on the symmetry plane; -1: none
     };
     [[nodiscard]] double rubber_angle(const Crease& crease, double along, std::span<const mesh::Point> positions) const;

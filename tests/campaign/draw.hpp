@@ -19,8 +19,9 @@ struct DesignIndex {
 
 struct Drawn {
     std::string family, law, load;  ///< "tube", "yeoh", "cavity pressure"
-    std::string design_yaml;        ///< effective design; refers to the table of a section by its name in the folder of designs
-    std::string table;              ///< name of that table; empty if none
+    std::string
+        design_yaml;    ///< effective design; refers to the table of a section by its name in the folder of designs
+    std::string table;  ///< name of that table; empty if none
     std::string table_text;
     int refused = 0;  ///< previous attempts that the parser or the mesher rejected, or that were too large
 };

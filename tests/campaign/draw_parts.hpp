@@ -12,13 +12,13 @@ using Settings = std::vector<std::pair<std::string, std::string>>;  ///< "geomet
 
 struct Shape {
     std::string family, model;
-    Settings settings;                  ///< geometry, mesh, supports
-    std::vector<std::string> cavities;  ///< cavities that loads may use
-    std::vector<std::string> pressure_faces;   ///< other faces for pressures
-    std::vector<std::string> load_faces;    ///< faces for tractions, forces and motions
-    double gas_mL = 1;                  ///< approximate volume of the cavities
-    double slenderness = 5;             ///< radius over wall thickness: pressures scale with the modulus over this
-    std::string table_text = {};        ///< table of a section, if read from a file
+    Settings settings;                        ///< geometry, mesh, supports
+    std::vector<std::string> cavities;        ///< cavities that loads may use
+    std::vector<std::string> pressure_faces;  ///< other faces for pressures
+    std::vector<std::string> load_faces;      ///< faces for tractions, forces and motions
+    double gas_mL = 1;                        ///< approximate volume of the cavities
+    double slenderness = 5;       ///< radius over wall thickness: pressures scale with the modulus over this
+    std::string table_text = {};  ///< table of a section, if read from a file
 };
 [[nodiscard]] Shape draw_shape(Dice& dice);
 

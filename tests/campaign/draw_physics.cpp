@@ -125,14 +125,15 @@ Load cavity_load(Dice& dice, const Shape& shape, double p) {
     }
     if (shape.load_faces.empty()) return {"cavity pressure", {{"loads", pressed(p)}}};
     std::string both = pressed(p);
-    both.insert(both.size() - 1, ", " + shape.load_faces.front() + ": {force: " + number(p * 1e-3 * dice.between(-20, 20)) +
-                                     " N, along: axis}");
+    both.insert(both.size() - 1, ", " + shape.load_faces.front() +
+                                     ": {force: " + number(p * 1e-3 * dice.between(-20, 20)) + " N, along: axis}");
     return {"pressure and force", {{"loads", both}}};
 }
 
 Load face_load(Dice& dice, const Shape& shape, double p) {
     if (!shape.load_faces.empty() && (shape.pressure_faces.empty() || dice.chance(0.6))) {
-        const std::string face = shape.load_faces.front(), along = dice.one_of(std::vector<std::string>{"x", "y", "axis"});
+        const std::string face = shape.load_faces.front(),
+                          along = dice.one_of(std::vector<std::string>{"x", "y", "axis"});
         const std::string direction = shape.model == "axisymmetric" ? "axis" : shape.model == "quarter" ? "x" : along;
         if (dice.chance(0.4))
             return {"motion",
@@ -142,7 +143,8 @@ Load face_load(Dice& dice, const Shape& shape, double p) {
                 {{"loads", "{" + face + ": {traction: " + kPa(dice.between(-p, p)) + ", along: " + direction + "}}"}}};
     }
     const double sign = dice.chance(0.5) ? 1 : -1;
-    return {"face pressure", {{"loads", "{" + dice.one_of(shape.pressure_faces) + ": {pressure: " + kPa(sign * p) + "}}"}}};
+    return {"face pressure",
+            {{"loads", "{" + dice.one_of(shape.pressure_faces) + ": {pressure: " + kPa(sign * p) + "}}"}}};
 }
 
 }  // namespace
@@ -170,7 +172,7 @@ DrawnMaterial draw_material(Dice& dice, const Shape& shape) {
     if (bounded) material.settings.emplace_back("material.kappa", kPa(material.mu_kPa * ratio));
     if (bounded && !is_linear && !is_kraken && dice.chance(0.4))
         material.settings.emplace_back("material.volumetric",
-                                    dice.one_of(std::vector<std::string>{"quadratic", "log", "mixed"}));
+                                       dice.one_of(std::vector<std::string>{"quadratic", "log", "mixed"}));
     if (is_kraken || (bounded && ratio < 20 && dice.chance(0.3)))
         material.settings.emplace_back("mesh.formulation", "displacement");
     else if (bounded && !is_linear && shape.table_text.empty() && shape.model != "solid" && shape.family != "pneunet" &&
@@ -191,8 +193,9 @@ Load draw_motion_or_tiny_load(Dice& dice, Shape& shape, const DrawnMaterial& mat
         }
         const double way = (dice.chance(0.5) ? 1 : -1) * max_mm * dice.between_logs(1e-4, 1);
         const std::string along = shape.model == "axisymmetric" || dice.chance(0.7) ? "axis" : "x";
-        return {"small motion",
-                {{"loads", "{" + shape.load_faces.front() + ": {displacement: " + mm(way) + ", along: " + along + "}}"}}};
+        return {
+            "small motion",
+            {{"loads", "{" + shape.load_faces.front() + ": {displacement: " + mm(way) + ", along: " + along + "}}"}}};
     }
     const double p = (dice.chance(0.5) ? 1 : -1) * material.mu_kPa / shape.slenderness * dice.between_logs(1e-12, 1e-8);
     const std::string pressure = "{pressure: " + kPa(p) + "}";
@@ -210,7 +213,7 @@ Load draw_load(Dice& dice, const Shape& shape, const DrawnMaterial& material) {
     const double p = material.mu_kPa / shape.slenderness * dice.between_logs(min_load, max_load);
     const bool on_cavity = !shape.cavities.empty() && !dice.chance(0.12);
     Load load = on_cavity || (shape.pressure_faces.empty() && shape.load_faces.empty()) ? cavity_load(dice, shape, p)
-                                                                             : face_load(dice, shape, p);
+                                                                                        : face_load(dice, shape, p);
     if (load.kind == "traction" && dice.chance(0.2)) {
         load.kind = "gravity";
         load.settings = {

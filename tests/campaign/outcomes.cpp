@@ -14,7 +14,7 @@ namespace soft::campaign {
 namespace {
 
 constexpr int exit_cpu_limit = 128 + 24;  // SIGXCPU
-constexpr int exit_timeout = 124;      // exit code of timeout
+constexpr int exit_timeout = 124;         // exit code of timeout
 constexpr int max_slowest = 10;
 
 std::string text_of(const std::filesystem::path& file) {
@@ -98,9 +98,9 @@ Outcome outcome_of(const std::filesystem::path& folder, const PlannedDesign& des
     outcome.detail = status->error;
     if (outcome.exit_code != 0 && outcome.exit_code != 2) {
         outcome.reason = outcome.exit_code == exit_cpu_limit || outcome.exit_code == exit_timeout ? "hangs"
-                         : outcome.exit_code == 65 ? "refused"
-                         : outcome.exit_code > 128 ? "killed"
-                                                   : "failed";
+                         : outcome.exit_code == 65                                                ? "refused"
+                         : outcome.exit_code > 128                                                ? "killed"
+                                                                                                  : "failed";
         return outcome;
     }
     const io::Result result = io::read_result(core::read_file(own / "result.h5"), (own / "result.h5").string());

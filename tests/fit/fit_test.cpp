@@ -55,9 +55,9 @@ TEST(Fit, RecoversTheConstantsOfSyntheticData) {
     for (const auto& [name, constants] : rubbers) {
         const auto rubber = rubber_of(law(name), constants);
         ASSERT_TRUE(rubber);
-        const Fit fitted =
-            fit(law(name), {synthetic_test(*rubber, Mode::uniaxial, 5.0), synthetic_test(*rubber, Mode::equibiaxial, 3.0),
-                            synthetic_test(*rubber, Mode::planar, 4.0)});
+        const Fit fitted = fit(
+            law(name), {synthetic_test(*rubber, Mode::uniaxial, 5.0), synthetic_test(*rubber, Mode::equibiaxial, 3.0),
+                        synthetic_test(*rubber, Mode::planar, 4.0)});
         for (const auto& [key, values] : constants) {
             ASSERT_EQ(fitted.constants.at(key).size(), values.size()) << name;
             for (std::size_t i = 0; i < values.size(); ++i)

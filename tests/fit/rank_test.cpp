@@ -45,7 +45,8 @@ TEST(Rank, AiccMatchesItsDefinition) {
 
 TEST(Rank, PredictsOmittedModesExactlyForExactData) {
     const auto rubber = rubber_of(law("gent"), {{"mu", {164e3}}, {"jm", {60.0}}});
-    const std::vector<TestCurve> tests{synthetic_test(*rubber, Mode::uniaxial, 5.0), synthetic_test(*rubber, Mode::equibiaxial, 3.0)};
+    const std::vector<TestCurve> tests{synthetic_test(*rubber, Mode::uniaxial, 5.0),
+                                       synthetic_test(*rubber, Mode::equibiaxial, 3.0)};
     for (const RankedFit& one : rank(tests)) {
         ASSERT_EQ(one.predictions.size(), 2u);
         if (one.fit.candidate.name != "gent") continue;

@@ -56,8 +56,7 @@ void expect_refused(const std::string& text, const std::string& words, const Rea
 }
 
 TEST(TestData, RejectsInvalidTablesWithTheLineNumber) {
-    expect_refused("time;Engineering Stress (MPa)\n0.1;1\n0.2;2\n",
-                   "a.csv:1: no title identifies the strain column");
+    expect_refused("time;Engineering Stress (MPa)\n0.1;1\n0.2;2\n", "a.csv:1: no title identifies the strain column");
     expect_refused(header + "0.1;1\n0.2;2x\n", "a.csv:3: column 2 'Engineering Stress (MPa)': '2x' is not a number");
     expect_refused(header + "0.1;1\n0.2;\n", "a.csv:3: column 2 'Engineering Stress (MPa)': the cell is empty");
     expect_refused(header + "0.1;1\n0.2\n0.3;4\n", "a.csv:3: column 2 'Engineering Stress (MPa)': the cell is empty");
@@ -165,7 +164,8 @@ TEST(TestData, AcceptsDisplacementNoiseButRejectsAReversal) {
     };
     EXPECT_EQ(rows("0,0\n0,0.01\n10,1\n9.99,1\n10,1.1\n20,2\n"), 6u);
     EXPECT_EQ(rows("0,0\n0.01,0.01\n-10,-1\n-20,-2\n"), 4u);
-    expect_refused(head + "0,0\n10,1\n20,2\n10,0.9\n0,0\n", "a.csv:5: the displacement reverses direction", of_specimen());
+    expect_refused(head + "0,0\n10,1\n20,2\n10,0.9\n0,0\n", "a.csv:5: the displacement reverses direction",
+                   of_specimen());
     expect_refused(head + "0,0\n-10,-1\n-5,-1\n", "a.csv:4: the displacement reverses direction", of_specimen());
 }
 

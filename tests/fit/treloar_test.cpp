@@ -29,9 +29,7 @@ TEST(Treloar, YeohMatchesGnuplot) {
     expect_fit("yeoh", {{184.677444e3, 10.1415723e3}, {-1.46389843e3, 0.359181403e3}, {40.1942248, 3.71720546}},
                138.080487, 1e-7);
 }
-TEST(Treloar, GentMatchesGnuplot) {
-    expect_fit("gent", {{274.449e3, 6.2565e3}, {84.3165, 1.42726}}, 137.682002, 1e-5);
-}
+TEST(Treloar, GentMatchesGnuplot) { expect_fit("gent", {{274.449e3, 6.2565e3}, {84.3165, 1.42726}}, 137.682002, 1e-5); }
 TEST(Treloar, ArrudaBoyceMatchesGnuplot) {
     expect_fit("arruda-boyce", {{278.710e3, 7.96773e3}, {4.62694, 0.0553508}}, 148.366155, 3e-5);
 }

@@ -19,7 +19,7 @@ enum class Power { recorded, unknown };
 /// A rod stretched and released, with rows at these stretches. The stored energy of an incompressible neo-Hookean rod with mu V = 1 is
 /// (l^2 + 2/l - 3)/2. The elongation is the coordinate of the path; stretch and energy are dependent columns.
 Curve stretched_and_released(const std::vector<double>& up, const std::vector<double>& down,
-                          Power power = Power::unknown) {
+                             Power power = Power::unknown) {
     model::Case model = test::sample_case({"elongation"}, test::Loaded::nothing);
     model.path.stages.resize(2);
     std::vector<solution::Step> steps;

@@ -81,7 +81,8 @@ TEST(MonotoneSlopes, KeepTheInterpolantBetweenNeighbours) {
 }
 
 TEST(MonotoneSlopes, AreExactForAParabolaAndAtTheEndsForACubic) {
-    const std::vector<double> s{1, 1.1, 1.35, 1.6, 2.5};  // increasing; neighbouring secants differ by less than a factor of three
+    const std::vector<double> s{1, 1.1, 1.35, 1.6,
+                                2.5};  // increasing; neighbouring secants differ by less than a factor of three
     std::vector<double> squares, cubes;
     for (const double x : s) squares.push_back(x * x), cubes.push_back(x * x * x);
     for (std::size_t i = 0; i < s.size(); ++i) EXPECT_NEAR(monotone_slopes(s, squares)[i], 2 * s[i], 1e-13);

@@ -154,10 +154,11 @@ Outcome solve_long_finger() {
     const auto more = [&](std::size_t output) {
         return other.steps.back().outputs.at(output) - one.steps.back().outputs.at(output);
     };
-    return {{row("additional bend for 40 mm more chamber [urad]", 1e6 * curvature_1_m * (long_m - short_m), 1e6 * more(0)),
-             row("additional elongation for 40 mm more chamber [nm]",
-                 1e9 * (strain + curvature_1_m * tip_middle_m) * (long_m - short_m), 1e9 * more(1))},
-            {}};
+    return {
+        {row("additional bend for 40 mm more chamber [urad]", 1e6 * curvature_1_m * (long_m - short_m), 1e6 * more(0)),
+         row("additional elongation for 40 mm more chamber [nm]",
+             1e9 * (strain + curvature_1_m * tip_middle_m) * (long_m - short_m), 1e9 * more(1))},
+        {}};
 }
 
 /// The same for a section whose centroid lies on the axis and whose second moment of area I is equal about all diameters, as with three
@@ -187,9 +188,11 @@ Outcome solve_long_segment() {
                    .mesh = other.mesh,
                    .seconds = one.seconds + other.seconds};
     };
-    return {{row("additional bend for 40 mm more length [urad]", 1e6 * load * hole_m3 / second_m4 * (long_m - short_m), 0),
-             row("additional elongation for 40 mm more length [um]", 1e6 * load * hole_m2 / rubber_m2 * (long_m - short_m), 1)},
-            {}};
+    return {
+        {row("additional bend for 40 mm more length [urad]", 1e6 * load * hole_m3 / second_m4 * (long_m - short_m), 0),
+         row("additional elongation for 40 mm more length [um]", 1e6 * load * hole_m2 / rubber_m2 * (long_m - short_m),
+             1)},
+        {}};
 }
 
 }  // namespace

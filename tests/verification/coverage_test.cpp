@@ -192,9 +192,9 @@ std::vector<Ratios> solve(const Known& known) {
     const auto keep = [&](const solver::Accuracy& so_far, const solution::PathEnd&) {
         if (so_far.has_bars) meshes.push_back(so_far.rows);
     };
-    const auto accuracy = solver::refine_path(
-        system, std::move(rows), end, {.tolerance = 1e-12, .max_unknowns_2d = bound, .max_unknowns_3d = bound},
-        {.curve = keep});
+    const auto accuracy =
+        solver::refine_path(system, std::move(rows), end,
+                            {.tolerance = 1e-12, .max_unknowns_2d = bound, .max_unknowns_3d = bound}, {.curve = keep});
     if (static_cast<int>(meshes.size()) != known.finer) throw std::runtime_error(accuracy.end_reason);
     Reference reference;
     reference.finest = accuracy.finer;

@@ -34,9 +34,8 @@ Run run_with_bars(const std::string& design, const std::vector<std::string>& set
     // The bound on the unknowns ends the refinement; the tolerance is never reached.
     const std::int64_t levels = mesh == Mesh::given ? 1 : 2, growth = run.model.mesh.dimension == 3 ? 8 : 4;
     const std::int64_t bound = 2 * system.dofs().total * (levels == 1 ? growth : growth * growth);
-    const auto accuracy =
-        solver::refine_path(system, std::move(rows), run.end,
-                            {.tolerance = 1e-12, .max_unknowns_2d = bound, .max_unknowns_3d = bound});
+    const auto accuracy = solver::refine_path(system, std::move(rows), run.end,
+                                              {.tolerance = 1e-12, .max_unknowns_2d = bound, .max_unknowns_3d = bound});
     if (!accuracy.has_bars) throw std::runtime_error(design + ": no error bars: " + accuracy.end_reason);
     for (const auto& row : accuracy.rows) run.steps.push_back(row.step);
     run.mesh = std::to_string(run.model.mesh.cell_count()) + " cells" + (mesh == Mesh::halved ? ", halved once" : "");
@@ -74,7 +73,7 @@ std::vector<BarPoint> bars_of_sphere(const Sphere& sphere, Mesh mesh) {
 }
 
 std::vector<BarPoint> bars_of_cylinder(const char* design, double inner_m, double outer_m,
-                                   const std::vector<std::string>& sets, Mesh mesh) {
+                                       const std::vector<std::string>& sets, Mesh mesh) {
     const auto run = run_with_bars("verification/" + std::string(design) + ".yaml", sets, mesh);
     const ExtraStress extra_stress = extra_stress_of(run.model.materials.front());
     const Cylinder cylinder{inner_m, outer_m, 1};
@@ -93,7 +92,8 @@ BarPoint bar_at(const Run& run, const std::string& fixed, double value, const st
     const post::Path path(curve);
     const auto crossings = path.crossings(index(fixed), value);
     const double end = run.steps.empty() ? 0.0 : curve.columns[index(fixed)].values.back();
-    if (crossings.empty() && std::abs(end - value) > 1e-8 * std::abs(value))  // the last row reaches the goal up to rounding
+    if (crossings.empty() &&
+        std::abs(end - value) > 1e-8 * std::abs(value))  // the last row reaches the goal up to rounding
         throw std::runtime_error("the path never has this " + fixed + ", it ends at " + core::number_text(end));
     const auto row = path.at(crossings.empty() ? path.length() : crossings.front());
     return {truth, row[index(wanted)], row[index(wanted + "_error")]};
@@ -174,9 +174,9 @@ std::vector<BarCase> bar_cases() {
 /// Statistics of a list of error bars.
 struct Score {
     double max_error = 0, max_bar = 0;  ///< relative to the largest value of the curve
-    double min_ratio = 1e300;                       ///< smallest ratio of bar to error
-    double width = 0;                           ///< ratio of the root mean squares of bars and errors
-    double median = 0;                          ///< of the ratio of bar to error
+    double min_ratio = 1e300;           ///< smallest ratio of bar to error
+    double width = 0;                   ///< ratio of the root mean squares of bars and errors
+    double median = 0;                  ///< of the ratio of bar to error
     int covered = 0;
 };
 
@@ -213,8 +213,7 @@ Outcome solve_case(const BarCase& bar_case) {
          "the points of the reference (tube: errors of the elongation and of the limit pressure). Errors and bars in "
          "per cent of the largest value; smallest ratio of bar to error; root mean square of the bars over that of "
          "the errors.",
-         {"mesh", "points", "largest error [%]", "largest error bar [%]", "smallest bar / error",
-          "bars / errors, rms"},
+         {"mesh", "points", "largest error [%]", "largest error bar [%]", "smallest bar / error", "bars / errors, rms"},
          {}});
     for (const Mesh mesh : bar_case.meshes) {
         const auto begin = std::chrono::steady_clock::now();
@@ -235,10 +234,10 @@ Outcome solve_case(const BarCase& bar_case) {
              .ours = std::max(max_width(mesh), score.median),
              .mesh = name,
              .seconds = seconds});
-        outcome.tables.back().lines.push_back({name, std::to_string(found.size()),
-                                               core::rounded_text(100 * score.max_error, 3),
-                                               core::rounded_text(100 * score.max_bar, 3),
-                                               core::rounded_text(score.min_ratio, 3), core::rounded_text(score.width, 3)});
+        outcome.tables.back().lines.push_back(
+            {name, std::to_string(found.size()), core::rounded_text(100 * score.max_error, 3),
+             core::rounded_text(100 * score.max_bar, 3), core::rounded_text(score.min_ratio, 3),
+             core::rounded_text(score.width, 3)});
     }
     return outcome;
 }

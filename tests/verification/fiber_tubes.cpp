@@ -138,11 +138,11 @@ Problem magic_angle() {
                                .seconds = last.seconds,
                                .tolerance = tolerance};
                 };
-                return Outcome{
-                    {row("angle without elongation [deg]", exact / degree, "quadrature of the equilibrium equations", homogeneous_tolerance),
-                     row("the same, for inextensible fibres [deg]", std::atan(std::numbers::sqrt2) / degree,
-                         "tan^2 = 2", default_tolerance)},
-                    {}};
+                return Outcome{{row("angle without elongation [deg]", exact / degree,
+                                    "quadrature of the equilibrium equations", homogeneous_tolerance),
+                                row("the same, for inextensible fibres [deg]", std::atan(std::numbers::sqrt2) / degree,
+                                    "tan^2 = 2", default_tolerance)},
+                               {}};
             }};
 }
 
@@ -226,7 +226,8 @@ std::vector<Problem> fiber_tube_problems() {
     for (const char* angle : {"20", "40", "60", "80"}) {
         const Case tube = helix(angle, 3, 3);
         const bool brief =
-            tube.name == "helix at 20 degrees";  // the caps have the largest influence at 20 degrees; the others are equally slow
+            tube.name ==
+            "helix at 20 degrees";  // the caps have the largest influence at 20 degrees; the others are equally slow
         problems.push_back(
             {group, tube.name, [tube] { return inflated(tube); }, brief ? Duration::brief : Duration::slow});
     }

@@ -111,7 +111,8 @@ TEST(Formula, CylindersMatchTheSpecification) {
 
 TEST(Formula, LongClosedTubeMatchesTheLimitPointOfTheSpecification) {
     const ExtraStress extra_stress = extra_stress_of(rubber("neo-hookean", 0.1644e6, std::nullopt));
-    const auto peak = first_peak([&](double l) { return closed_tube(extra_stress, 7e-3, 10e-3, l).pressure_Pa; }, 1.001, 3);
+    const auto peak =
+        first_peak([&](double l) { return closed_tube(extra_stress, 7e-3, 10e-3, l).pressure_Pa; }, 1.001, 3);
     // The specification gives the location to three decimals; the pressure is stationary there, the axial stretch is not.
     EXPECT_NEAR(peak.location, 1.796, 1e-3);
     EXPECT_NEAR(1e-3 * peak.value, 43.9467, 1e-4);

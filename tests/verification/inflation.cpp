@@ -159,8 +159,8 @@ Problem thick_cylinder() {
                 const auto run = run_design("verification/cylinder-mooney-rivlin.yaml", {});
                 const ExtraStress extra_stress = extra_stress_of(run.model.materials.front());
                 const Cylinder cylinder{A, B, 1};
-                const double l =
-                    root_of([&](double x) { return cylinder_pressure_Pa(extra_stress, cylinder, x) - pressure_Pa; }, 1.0, 2.0);
+                const double l = root_of(
+                    [&](double x) { return cylinder_pressure_Pa(extra_stress, cylinder, x) - pressure_Pa; }, 1.0, 2.0);
                 const double outer = cylinder.deformed_radius_m(B, l) / B;
                 const double in = radial_displacement(run, A), out = radial_displacement(run, B);
                 const auto row = [&](const char* quantity, double reference, double ours) {

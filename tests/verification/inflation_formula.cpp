@@ -53,8 +53,8 @@ double cylinder_pressure_Pa(const ExtraStress& extra_stress, const Cylinder& c, 
         c.inner_m, c.outer_m);
 }
 
-double layered_cylinder_pressure_Pa(const ExtraStress& inside, const ExtraStress& outside, const Cylinder& c, double interface_m,
-                                    double inner_stretch) {
+double layered_cylinder_pressure_Pa(const ExtraStress& inside, const ExtraStress& outside, const Cylinder& c,
+                                    double interface_m, double inner_stretch) {
     const Cylinder outer{interface_m, c.outer_m, c.axial_stretch};
     return cylinder_pressure_Pa(inside, {c.inner_m, interface_m, c.axial_stretch}, inner_stretch) +
            cylinder_pressure_Pa(outside, outer, c.deformed_radius_m(interface_m, inner_stretch) / interface_m);

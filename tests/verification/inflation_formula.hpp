@@ -24,11 +24,12 @@ struct Cylinder {
     double inner_m, outer_m, axial_stretch;
     [[nodiscard]] double deformed_radius_m(double R_m, double inner_stretch) const;
 };
-[[nodiscard]] double cylinder_pressure_Pa(const ExtraStress& extra_stress, const Cylinder& cylinder, double inner_stretch);
+[[nodiscard]] double cylinder_pressure_Pa(const ExtraStress& extra_stress, const Cylinder& cylinder,
+                                          double inner_stretch);
 
 /// A cylinder of two bonded rubbers, the first from the bore to `interface_m`: the same integral, layer by layer.
-[[nodiscard]] double layered_cylinder_pressure_Pa(const ExtraStress& inside, const ExtraStress& outside, const Cylinder& cylinder,
-                                                  double interface_m, double inner_stretch);
+[[nodiscard]] double layered_cylinder_pressure_Pa(const ExtraStress& inside, const ExtraStress& outside,
+                                                  const Cylinder& cylinder, double interface_m, double inner_stretch);
 
 /// Neo-Hookean, plane strain, closed form: mu [ln(l_a/l_b) + (1/l_b^2 - 1/l_a^2)/2].
 [[nodiscard]] double neo_hookean_cylinder_pressure_Pa(double mu_Pa, double inner_stretch, double ratio);
@@ -41,8 +42,8 @@ struct Cylinder {
 struct TubeState {
     double pressure_Pa, axial_stretch;
 };
-[[nodiscard]] TubeState closed_tube(const ExtraStress& extra_stress, double inner_m, double outer_m, double inner_stretch,
-                                    double max_axial_stretch = 3.0);
+[[nodiscard]] TubeState closed_tube(const ExtraStress& extra_stress, double inner_m, double outer_m,
+                                    double inner_stretch, double max_axial_stretch = 3.0);
 
 /// State of two spheres sharing one gas: one below its limit point, the other beyond it.
 struct PairState {

@@ -31,8 +31,8 @@ Outcome rising_branch(const std::string& pressure_kPa) {
     const auto run = run_design("verification/tube-long.yaml", {"path.until.pressure=" + pressure_kPa + " kPa"});
     const ExtraStress extra_stress = extra_stress_of(run.model.materials.front());
     const double pressure_Pa = 1e3 * std::stod(pressure_kPa);
-    const double hoop =
-        root_of([&](double l) { return closed_tube(extra_stress, inner_m, outer_m, l).pressure_Pa - pressure_Pa; }, 1.0, 1.79);
+    const double hoop = root_of(
+        [&](double l) { return closed_tube(extra_stress, inner_m, outer_m, l).pressure_Pa - pressure_Pa; }, 1.0, 1.79);
     const auto middle = middle_of(run, 0.4);
     const auto row = [&](const std::string& quantity, double reference, double ours) {
         return Row{.quantity = quantity + " at " + pressure_kPa + " kPa, middle [-]",

@@ -13,7 +13,8 @@ struct Membrane {
 };
 
 struct MembraneState {
-    double pressure_Pa, deflection_m, mean_deflection_m;  ///< deflection of the apex; mean deflection over the undeformed area
+    double pressure_Pa, deflection_m,
+        mean_deflection_m;  ///< deflection of the apex; mean deflection over the undeformed area
 };
 
 /// The state with a given stretch of the apex. Valid while the slope at the rim is below a right angle.

@@ -151,7 +151,8 @@ Outcome solve_slow_bellows() {
     add("in the first row above a tenth of the final one", first.static_m, first.dynamic_m);
     add("at 20 kPa", last.static_m, last.dynamic_m);
     const double larger = std::max(worst.static_m, 0.1 * last.dynamic_m);
-    add("at the largest difference, at least a tenth of the final one", larger, larger + worst.dynamic_m - worst.static_m);
+    add("at the largest difference, at least a tenth of the final one", larger,
+        larger + worst.dynamic_m - worst.static_m);
     return outcome;
 }
 

@@ -23,7 +23,7 @@ struct Row {
     std::string mesh;  ///< "32 hexahedron27, 1234 unknowns"
     double seconds = 0;
     double tolerance = default_tolerance;  ///< relative
-    std::string reason = {};      ///< required for a tolerance above `default_tolerance`; printed below the table
+    std::string reason = {};  ///< required for a tolerance above `default_tolerance`; printed below the table
 
     [[nodiscard]] double error() const { return ours / reference - 1.0; }
     [[nodiscard]] bool is_within_tolerance() const;

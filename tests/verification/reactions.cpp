@@ -60,7 +60,8 @@ std::vector<Problem> reaction_problems() {
     std::vector<Problem> problems;
     for (const Bar& one : {Bar{"solid", "{x: fixed, y: left, z: bottom}"}, Bar{"half", "{x: fixed, z: bottom}"},
                            Bar{"quarter", "{x: fixed}"}})
-        problems.push_back({group, std::string{"bar under prescribed displacement, "} + one.model, [one] { return bar(one); }});
+        problems.push_back(
+            {group, std::string{"bar under prescribed displacement, "} + one.model, [one] { return bar(one); }});
     problems.push_back({group, "finger clamped at root and tip", blocked_finger});
     return problems;
 }

@@ -57,7 +57,7 @@ solver::ContactCheck contact_check(assembly::System& system) {
         const auto contact = finder->find(system.gather_fields(x).displacement_m);
         if (!contact) return std::nullopt;
         return solver::ContactEvent{contact->text, contact->is_inverted ? solution::StopReason::inverted_element
-                                                                : solution::StopReason::self_contact};
+                                                                        : solution::StopReason::self_contact};
     };
 }
 

@@ -66,8 +66,9 @@ std::string short_number(double value) { return std::abs(value) < 5e-5 ? "0" : c
 Outcome compare(const std::string& problem, const Sample& sample) {
     Table table{problem + ": " + sample.title,
                 sample.text,
-                {"law", "strain at full load [%]", "stress at full load [kPa]", "exact stress at full load [kPa]", "mean error [kPa]",
-                 "largest error [kPa]", "mean error [% of exact]", "largest error [% of exact]", "stop reason"},
+                {"law", "strain at full load [%]", "stress at full load [kPa]", "exact stress at full load [kPa]",
+                 "mean error [kPa]", "largest error [kPa]", "mean error [% of exact]", "largest error [% of exact]",
+                 "stop reason"},
                 {}};
     for (const Law& law : laws()) {
         const auto run = run_design(sample.design, law.sets);

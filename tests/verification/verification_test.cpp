@@ -51,8 +51,9 @@ TEST_P(Verified, EveryRowIsWithinToleranceAndAgreesWithTheReadme) {
     if (!can_run(problem)) GTEST_SKIP() << "set " << problem.needs << " to the required folder";
     const Outcome outcome = problem.solve();
     for (const Row& row : outcome.rows)
-        EXPECT_TRUE(row.is_within_tolerance()) << row.quantity << ": " << row.ours << " for " << row.reference << " (" << row.source
-                                 << "), " << 100 * row.error() << " %, allowed " << 100 * row.tolerance << " %";
+        EXPECT_TRUE(row.is_within_tolerance())
+            << row.quantity << ": " << row.ours << " for " << row.reference << " (" << row.source << "), "
+            << 100 * row.error() << " %, allowed " << 100 * row.tolerance << " %";
     const Report report = make_report(problem, outcome);
     const auto printed = readme().rows.find(problem.name);
     const auto expected = printed == readme().rows.end() ? decltype(report.rows){} : printed->second;

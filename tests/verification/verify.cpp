@@ -55,8 +55,8 @@ Result compute(const std::vector<Problem>& problems, const Printed& printed, Slo
             for (const Row& row : outcome.rows)
                 if (!row.is_within_tolerance()) {
                     ++result.misses;
-                    std::cerr << "  EXCEEDS TOLERANCE: " << row.quantity << ": " << row.ours << " for " << row.reference << ", "
-                              << 100 * row.error() << " %" << std::endl;
+                    std::cerr << "  EXCEEDS TOLERANCE: " << row.quantity << ": " << row.ours << " for " << row.reference
+                              << ", " << 100 * row.error() << " %" << std::endl;
                 }
             result.reports.push_back(make_report(problem, outcome));
         } catch (const std::exception& error) {
