@@ -50,7 +50,7 @@ double volume_m3(const Remeshed& surface) {
 
 /// First-order tetrahedra whose first points are those of the surface; nullopt if gmsh did not fill it.
 std::optional<mesh::Mesh> filled(const Remeshed& surface, GmshSession::Filling filling) {
-    GmshSession gmsh;
+    const auto gmsh = open_gmsh();
     const std::vector<int> shells = shells_of(surface);
     const int count = 1 + *std::ranges::max_element(shells);
     std::vector<int> tags;
@@ -69,21 +69,21 @@ std::optional<mesh::Mesh> filled(const Remeshed& surface, GmshSession::Filling f
             for (const double x : surface.points[static_cast<std::size_t>(corner)]) nodes.xyz.push_back(mm * x);
         }
         tags.push_back(shell + 1);
-        gmsh.add_triangles(shell + 1, std::move(nodes), std::move(triangles));
+        gmsh->add_triangles(shell + 1, std::move(nodes), std::move(triangles));
     }
     constexpr int volume = 1;
-    gmsh.fill(volume, tags, filling);
+    gmsh->fill(volume, tags, filling);
     mesh::Mesh mesh;
     mesh.region_names = {rubber_region};
     mesh.points = surface.points;
     std::unordered_map<std::size_t, Index> numbers;
-    const auto [node_tags, xyz] = gmsh.nodes();
+    const auto [node_tags, xyz] = gmsh->nodes();
     for (std::size_t n = 0; n < node_tags.size(); ++n) {
         if (node_tags[n] <= surface.points.size()) continue;
         numbers[node_tags[n]] = static_cast<Index>(mesh.points.size());
         mesh.points.push_back({xyz[3 * n] / mm, xyz[3 * n + 1] / mm, xyz[3 * n + 2] / mm});
     }
-    const auto cells = gmsh.cells(3, volume);
+    const auto cells = gmsh->cells(3, volume);
     std::array<Index, 4> cell{};
     for (std::size_t n = 0; n + 3 < cells.size(); n += 4) {
         for (std::size_t k = 0; k < 4; ++k)

@@ -148,15 +148,15 @@ using Size = std::function<double(PlanePoint)>;
 
 mesh::Mesh mesh_once(const Outline& outline, const Size& size_m, FreeCells cells) {
     const double scale = unit_scale(outline);
-    GmshSession gmsh;
-    const Description description{gmsh, outline, scale};
+    const auto gmsh = open_gmsh();
+    const Description description{*gmsh, outline, scale};
     const bool quads = cells == FreeCells::quadrilaterals;
     const double factor = (quads ? 2 : 1) * scale;
-    gmsh.mesh_freely(quads ? GmshSession::Free::quadrilaterals : GmshSession::Free::triangles,
+    gmsh->mesh_freely(quads ? GmshSession::Free::quadrilaterals : GmshSession::Free::triangles,
                      [&](std::array<double, 2> p) {
                          return static_cast<double>(static_cast<float>(factor * size_m({p[0] / scale, p[1] / scale})));
                      });
-    Fetched fetched{gmsh, outline, scale};
+    Fetched fetched{*gmsh, outline, scale};
     for (std::size_t c = 0; c < description.curves().size(); ++c)
         fetched.add_sides(static_cast<int>(c) + 1, description.curves()[c]);
     Polygons polygons = fetched.take();

@@ -31,12 +31,12 @@ std::vector<double> numbers_of(const core::Bytes& bytes) {
 
 /// Triangulates the CAD file; returns the number of solids, then the corner coordinates of each triangle if there is one solid.
 std::vector<double> cad_numbers(const std::string& file) {
-    GmshSession gmsh;
-    const int solids = gmsh.import_cad(file);
+    const auto gmsh = open_gmsh();
+    const int solids = gmsh->import_cad(file);
     std::vector<double> result{static_cast<double>(solids)};
     if (solids != 1) return result;
-    gmsh.triangulate(GmshSession::Chords{.per_turn = 64, .longest = 1.0 / 20, .shortest = 1.0 / 500});
-    const std::vector<double> corners = gmsh.triangle_corners();
+    gmsh->triangulate(GmshSession::Chords{.per_turn = 64, .longest = 1.0 / 20, .shortest = 1.0 / 500});
+    const std::vector<double> corners = gmsh->triangle_corners();
     result.insert(result.end(), corners.begin(), corners.end());
     return result;
 }

@@ -242,10 +242,10 @@ void refuse_short_curves(const Section& section) {
 FineMesh run_gmsh(const Section& section) {
     refuse_short_curves(section);
     const double scale = unit_scale(section);
-    GmshSession gmsh;
-    describe(gmsh, section, scale);
-    gmsh.mesh();
-    return fetch(gmsh, section, scale);
+    const auto gmsh = open_gmsh();
+    describe(*gmsh, section, scale);
+    gmsh->mesh();
+    return fetch(*gmsh, section, scale);
 }
 
 }  // namespace

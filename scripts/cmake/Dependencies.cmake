@@ -13,6 +13,11 @@ target_include_directories(soft_petsc SYSTEM INTERFACE ${PETSC_PC_INCLUDE_DIRS})
 target_link_libraries(soft_petsc INTERFACE ${PETSC_PC_LINK_LIBRARIES} MPI::MPI_C)
 target_compile_definitions(soft_petsc INTERFACE OMPI_SKIP_MPICXX)
 
+pkg_check_modules(SLEPC_PC REQUIRED SLEPc>=3.18)
+add_library(soft_slepc INTERFACE)
+target_include_directories(soft_slepc SYSTEM INTERFACE ${SLEPC_PC_INCLUDE_DIRS})
+target_link_libraries(soft_slepc INTERFACE soft_petsc ${SLEPC_PC_LINK_LIBRARIES})
+
 find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
 find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
 add_library(soft_cholmod INTERFACE)
@@ -38,11 +43,9 @@ target_compile_definitions(soft_hdf5 INTERFACE H5_USE_110_API OMPI_SKIP_MPICXX)
 
 find_path(GMSH_INCLUDE_DIR gmsh.h REQUIRED)
 find_library(GMSH_LIBRARY gmsh REQUIRED)
-add_library(soft_gmsh_header INTERFACE)   # the programs load the library at run time: lib/meshing/CMakeLists.txt
-target_include_directories(soft_gmsh_header SYSTEM INTERFACE ${GMSH_INCLUDE_DIR})
-target_link_libraries(soft_gmsh_header INTERFACE ${CMAKE_DL_LIBS})
 add_library(soft_gmsh INTERFACE)
-target_link_libraries(soft_gmsh INTERFACE soft_gmsh_header ${GMSH_LIBRARY})
+target_include_directories(soft_gmsh SYSTEM INTERFACE ${GMSH_INCLUDE_DIR})
+target_link_libraries(soft_gmsh INTERFACE ${GMSH_LIBRARY})
 
 find_path(CSV_INCLUDE_DIR csv.h REQUIRED)
 find_library(CSV_LIBRARY csv REQUIRED)

@@ -39,7 +39,7 @@ std::string drawn_refusal(const std::string& text, std::vector<design::Override>
     }
 }
 
-const std::string usual = "supports: {fixed: fixed}\nloads: {cavity: {pressure: 5 kPa}}\noutputs: {}\n";
+const std::string usual_sections = "supports: {fixed: fixed}\nloads: {cavity: {pressure: 5 kPa}}\noutputs: {}\n";
 
 /// designs/tube.yaml: 100 mm long, radii 7 and 10 mm, caps of 5 mm.
 const std::string tube =
@@ -49,7 +49,7 @@ TEST(Revolved, TubeHasTheVolumesOfTheFamilyTube) {
     const TemporaryFile file{"tube.csv", tube};
     for (const char* model : {"axisymmetric", "half", "quarter", "solid"}) {
         const Solid body =
-            solid(drawn_text("revolved", file.path, usual),
+            solid(drawn_text("revolved", file.path, usual_sections),
                   {{"model", model}, {"mesh.size", "3 mm"}, {"mesh.sectors", "4"}, {"mesh.through_wall", "1"}});
         EXPECT_GT(mesh::quality(body.mesh).min_scaled_jacobian, 0.1) << model;
         EXPECT_NEAR(1e9 * sample::rubber_m3(body) / (pi * (100 * 100 - 49 * 90)), 1, curved) << model;
@@ -69,7 +69,7 @@ TEST(Revolved, TorusHasTheVolumeOfPappus) {
         "x_mm,r_mm,tag,loop,curve,via_x_mm,via_r_mm\n2,9,fixed,out,arc,0,11\n-2,9,outer,out,arc,0,7\n"
         "1,9,cavity,in,arc,0,8\n-1,9,cavity,in,arc,0,10\n"};
     for (const char* model : {"axisymmetric", "half"}) {
-        const Solid body = solid(drawn_text("revolved", file.path, usual),
+        const Solid body = solid(drawn_text("revolved", file.path, usual_sections),
                                  {{"model", model}, {"mesh.size", "1 mm"}, {"mesh.sectors", "8"}});
         EXPECT_NEAR(1e9 * sample::rubber_m3(body) / (2 * pi * 9 * pi * 3), 1, curved) << model;
         EXPECT_NEAR(1e9 * sample::cavity_m3(body) / (2 * pi * 9 * pi), 1, curved) << model;
@@ -126,12 +126,12 @@ TEST(Revolved, SymmetryPlaneHalvesTheBody) {
 
 TEST(Revolved, FileErrorsNameTheLocationInTheDesign) {
     const TemporaryFile file{"bad.csv", "x_mm,r_mm,tag\n0,0,axis\n5,0,end\n5,-10,outer\n"};
-    const std::string text = drawn_text("revolved", file.path, usual);
+    const std::string text = drawn_text("revolved", file.path, usual_sections);
     EXPECT_EQ(drawn_refusal(text).find("part.yaml:2:21: geometry.profile: " + file.path.string() +
                                        ":2: the outline is clockwise"),
               0u)
         << drawn_refusal(text);
-    EXPECT_NE(drawn_refusal(drawn_text("revolved", "missing.csv", usual))
+    EXPECT_NE(drawn_refusal(drawn_text("revolved", "missing.csv", usual_sections))
                   .find("part.yaml:2:21: geometry.profile: missing.csv: "),
               std::string::npos);
     EXPECT_EQ(drawn_refusal("family: revolved\nmaterial: {law: neo-hookean, mu: 1 MPa}\n")
@@ -148,7 +148,7 @@ TEST(Revolved, UnknownFacesAreRejectedWithASuggestion) {
     EXPECT_EQ(drawn_refusal(
                   drawn_text("revolved", full.path, "supports: {fixed: fixed}\nloads: {cavity: {pressure: 5 kPa}}\n")),
               "part.yaml:5:9: loads.cavity: there is no cavity to load; faces: axis, end, outer, fixed");
-    EXPECT_EQ(drawn_refusal(drawn_text("revolved", file.path, usual), {{"mesh.size", "0.001 mm"}})
+    EXPECT_EQ(drawn_refusal(drawn_text("revolved", file.path, usual_sections), {{"mesh.size", "0.001 mm"}})
                   .find("--set mesh.size: the mesh would have"),
               0u);
 }
