@@ -1,0 +1,72 @@
+"""Shared by the Python scripts of this folder: command line, messages and the programs of the build."""
+import os
+import shutil
+import subprocess
+import sys
+from types import SimpleNamespace
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(HERE)
+BUILD = os.path.join(ROOT, os.environ.get("BUILD_DIR", "build"))
+NAME = os.path.basename(sys.argv[0])
+os.environ.update(LC_ALL="C", OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+
+
+def say(text):
+    print(f"{NAME}: {text}", file=sys.stderr, flush=True)
+
+
+def fail(code, text):
+    say(text)
+    sys.exit(code)
+
+
+def usage(problem):
+    fail(64, f"{problem}; see `scripts/{NAME} --help`")
+
+
+def parse(help_text, **defaults):
+    """Options and their values, other words, and the words after `--`. An option is a flag if its default is False, and may be repeated
+    if it is a list."""
+    options, others, words = defaults, [], iter(sys.argv[1:])
+    for word in words:
+        name = word[2:].replace("-", "_")
+        if word in ("--help", "-h"):
+            print(help_text)
+            sys.exit(0)
+        elif word == "--":
+            break
+        elif word.startswith("--") and isinstance(options.get(name), bool):
+            options[name] = True
+        elif word.startswith("--") and name in options:
+            value = next(words, None)
+            if value is None:
+                usage(f"{word} needs a value")
+            options[name] = options[name] + [value] if isinstance(options[name], list) else value
+        elif word.startswith("-"):
+            usage(f"unknown option '{word}'")
+        else:
+            others.append(word)
+    return SimpleNamespace(**options), others, list(words)
+
+
+def use_build(*programs, first=True, code=1):
+    """Adds the programs of the build to the PATH, before or after the others; fails with this exit code if one does not exist."""
+    paths = [os.path.join(BUILD, "bin"), os.environ["PATH"]]
+    os.environ["PATH"] = ":".join(paths if first else reversed(paths))
+    for program in programs:
+        if not shutil.which(program):
+            fail(code, f"{program} is not built; run make build")
+
+
+def run(*command, ok=(0,), **options):
+    """Runs a program; ends this script with the exit code of the program if it fails."""
+    done = subprocess.run(command, **options)
+    if done.returncode not in ok:
+        sys.exit(exit_code(done))
+    return done
+
+
+def exit_code(done):
+    """As in a shell: 128 + N if signal N has killed the program."""
+    return done.returncode if done.returncode >= 0 else 128 - done.returncode
