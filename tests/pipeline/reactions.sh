@@ -43,7 +43,7 @@ claim "the table contains error bars of the force" grep -q 'thrust_error_N' bars
 runs 'postprocess -q result.h5 --also stored_energy,load_work -o energy.csv'
 claim "the work of the loads equals the stored energy" within "$(awk "BEGIN { print $(column energy.csv load_work_mJ) / $(column energy.csv stored_energy_mJ) }")" 0.9999 1.0001
 runs 'postprocess --outputs'
-claim "--outputs lists all columns" grep -q '^<force>_N *N *force with which' "$seen/out"
+claim "--outputs lists all columns" grep -q '^<force>_N *N *force of the actuator' "$seen/out"
 runs 'postprocess --outputs result.h5'
 claim "--outputs RESULT lists the columns of the table" [ "$(grep -vc -- --also "$seen/out")" -eq "$(head -n 1 curve.csv | tr ',' '\n' | wc -l)" ]
 refuses 64 "postprocess: --also: the result has no column 'energy'; *" 'postprocess -q result.h5 --also energy'
