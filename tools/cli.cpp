@@ -125,7 +125,7 @@ void add_common_options(CLI::App& app, CommonOptions& common, const About& about
     app.add_option("--completion")
         ->description("Print a completion script for the shell, and exit")
         ->type_name("SHELL")
-        ->check(CLI::IsMember({"bash"}));
+        ->check(CLI::IsMember({"bash", "zsh", "fish"}));
     app.add_flag("--man")->description("Print the man page (roff), and exit");
 }
 
@@ -202,7 +202,7 @@ bool parse(CLI::App& app, const About& about, CommonOptions& common, int argc, c
     refuse_empty_values(app);
     require_at_most_one(app, std::vector<std::string>{"--quiet", "--verbose"});
     if (app.count("--completion") > 0)
-        write_output("-", bash_completion(app, about));
+        write_output("-", completion(app, about, app.get_option("--completion")->as<std::string>()));
     else if (app.count("--man") > 0)
         write_output("-", man_page(app, about));
     else {

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "core/text.hpp"
 #include "revision.hpp"  // generated at every build
 
 namespace soft::cli {
@@ -67,7 +68,49 @@ bool takes_value(const CLI::Option& option) { return option.get_expected_max() >
 
 std::string value_name(const CLI::Option& option) {
     const std::string type = option.get_type_name();
-    return type.substr(0, type.find(':'));
+    return type.substr(0, type.find(":{"));  // without the words of words_of
+}
+
+/// An option in the words of a completion script.
+struct OptionText {
+    std::vector<std::string> names;  ///< "-o", "--output"
+    std::string help;
+    std::string value;  ///< "FILE"; empty for a flag
+    std::string words;  ///< allowed values, separated by spaces; empty: any value
+    bool is_file, is_repeatable;
+};
+
+std::vector<OptionText> option_texts(const CLI::App& app) {
+    std::vector<OptionText> texts;
+    for (const CLI::Option* option : app.get_options()) {
+        if (!option->nonpositional()) continue;
+        const std::string value = takes_value(*option) ? value_name(*option) : "";
+        const bool is_file =
+            value.find("FILE") != std::string::npos || value.starts_with("FOLDER") || value.ends_with(".csv");
+        const bool is_repeatable = option->get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
+        OptionText& text = texts.emplace_back(
+            OptionText{{}, option->get_description(), value, words_of(*option), is_file, is_repeatable});
+        for (const std::string& name : option->get_snames()) text.names.push_back("-" + name);
+        for (const std::string& name : option->get_lnames()) text.names.push_back("--" + name);
+    }
+    return texts;
+}
+
+/// A backslash before each of `special`.
+std::string escaped(std::string_view text, std::string_view special) {
+    std::string result;
+    for (const char c : text) {
+        if (special.find(c) != std::string_view::npos) result += '\\';
+        result += c;
+    }
+    return result;
+}
+
+/// 'text', with `quote` for each single quote in it.
+std::string quoted(std::string_view text, std::string_view quote) {
+    std::string result = "'";
+    for (const char c : text) result.append(c == '\'' ? quote : std::string_view{&c, 1});
+    return result + "'";
 }
 
 }  // namespace
@@ -123,21 +166,14 @@ std::string bash_completion(const CLI::App& app, const About& about) {
     const auto reply = [](const std::string& compgen) {
         return "COMPREPLY=(" + (compgen.empty() ? "" : "$(compgen " + compgen + " -- \"$word\")") + ")";
     };
-    for (const CLI::Option* option : app.get_options()) {
-        if (!option->nonpositional()) continue;
-        std::string pattern;
-        for (const std::string& name : option->get_snames()) pattern.append(pattern.empty() ? "-" : "|-").append(name);
-        for (const std::string& name : option->get_lnames()) {
-            pattern.append(pattern.empty() ? "--" : "|--").append(name);
-            all.append(all.empty() ? "--" : " --").append(name);
-        }
-        if (!takes_value(*option)) continue;
-        const std::string words = words_of(*option);
-        const bool file = words.empty() && value_name(*option) == "FILE";
-        cases += "        " + pattern + ") " +
-                 reply(file            ? "-f"
-                       : words.empty() ? ""
-                                       : "-W '" + words + "'") +
+    for (const OptionText& option : option_texts(app)) {
+        for (const std::string& name : option.names)
+            if (name.starts_with("--")) all.append(all.empty() ? "" : " ").append(name);
+        if (option.value.empty()) continue;
+        cases += "        " + core::join(option.names, "|") + ") " +
+                 reply(option.is_file         ? "-f"
+                       : option.words.empty() ? ""
+                                              : "-W '" + option.words + "'") +
                  "; return;;\n";
     }
     std::string script = "# bash completion of " + std::string{about.tool} +
@@ -147,6 +183,44 @@ std::string bash_completion(const CLI::App& app, const About& about) {
               cases + "    esac\n";
     script += "    if [[ $word == -* ]]; then " + reply("-W '" + all + "'") + "; else " + reply("-f") + "; fi\n}\n";
     return script + "complete -o filenames -F " + function + " " + std::string{about.tool} + "\n";
+}
+
+std::string zsh_completion(const CLI::App& app, const About& about) {
+    std::string script = "#compdef " + std::string{about.tool} + "\n_arguments -s";
+    for (const OptionText& option : option_texts(app)) {
+        std::string rest = "[" + escaped(option.help, "[]:\\") + "]";
+        if (!option.value.empty())
+            rest += ":" + escaped(option.value, ":\\") + ":" +
+                    (option.is_file         ? "_files"
+                     : option.words.empty() ? " "
+                                            : "(" + option.words + ")");
+        // '(-o --output)' excludes the option once it is given; = allows --output=FILE and --output FILE.
+        const std::string given = option.is_repeatable ? "*" : "(" + core::join(option.names, " ") + ")";
+        for (const std::string& name : option.names)
+            script +=
+                " \\\n  " +
+                quoted(given + name + (!option.value.empty() && name.starts_with("--") ? "=" : "") + rest, "'\\''");
+    }
+    return script + " \\\n  '*:file:_files'\n";
+}
+
+std::string fish_completion(const CLI::App& app, const About& about) {
+    std::string script;
+    for (const OptionText& option : option_texts(app)) {
+        script += "complete -c " + std::string{about.tool};
+        for (const std::string& name : option.names)
+            script += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
+        if (option.is_file)
+            script += " -r -F";
+        else if (!option.value.empty())
+            script += " -x -a " + quoted(option.words, "\\'");
+        script += " -d " + quoted(escaped(option.help, "\\"), "\\'") + "\n";
+    }
+    return script;
+}
+
+std::string completion(const CLI::App& app, const About& about, const std::string& shell) {
+    return (shell == "bash" ? bash_completion : shell == "zsh" ? zsh_completion : fish_completion)(app, about);
 }
 
 }  // namespace soft::cli
