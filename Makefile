@@ -1,15 +1,17 @@
 # Front end of the CMake build: each target first installs and builds what it needs (packages, BLAS, configure, build).
 # `cmake -B build && cmake --build build` works without this file.
-.PHONY: help run build test verify bench format tidy clean setup setup-tests
+.PHONY: help run build test test-all verify docs bench format tidy clean setup setup-tests
 .DEFAULT_GOAL := help
 
 CXX_FILES = $(shell find lib tools tests -name '*.cpp' -o -name '*.hpp')
 
 help:
 	@echo 'make run     run mesh-gen | solve | postprocess on DESIGN (default designs/bellows.yaml); output in results/'
-	@echo 'make test    build and run the tests; LABEL=unit, verification, pipeline or slow selects tests'
+	@echo 'make test    build and run the tests of a few minutes; LABEL=unit, verification, pipeline, extended or slow selects tests'
+	@echo 'make test-all  all tests that CI runs'
 	@echo 'make verify  compute the verification table: terminal, results/verification.csv, tests/verification/README.md'
 	@echo 'make build   build everything in build/ (binaries in build/bin)'
+	@echo 'make docs    build the website of docs/ in build/site'
 	@echo 'make bench   time the standard cases: terminal and results/benchmarks; BENCH="rod solid" or BENCH=all selects groups'
 	@echo 'make format  run clang-format on lib, tools and tests'
 	@echo 'make tidy    run clang-tidy on lib and tools'
@@ -32,9 +34,17 @@ test: setup-tests
 	@scripts/build
 	@scripts/test $(LABEL)
 
+test-all: setup-tests
+	@scripts/build
+	@scripts/test all
+
 verify: setup
 	@scripts/build verify
 	@scripts/verify
+
+docs:
+	@scripts/setup --docs
+	@scripts/docs-site
 
 bench: build
 	@scripts/benchmark $(BENCH)
