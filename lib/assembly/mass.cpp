@@ -38,7 +38,7 @@ std::vector<double> densities(const model::Case& input) {
     for (const auto& region : input.mesh.region_names) {
         const auto material = std::ranges::find(input.materials, region, &model::Material::name);
         if (material == input.materials.end() || !material->density_kg_m3)
-            throw Error(ExitCode::bad_input, "materials/" + region, "a dynamic case needs the density",
+            throw Error(ExitCode::bad_input, "materials/" + region, "dynamics and natural frequencies need the density",
                         "add material.density, for example 1080 kg/m^3");
         density.push_back(*material->density_kg_m3);
     }

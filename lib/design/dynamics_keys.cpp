@@ -54,6 +54,9 @@ void check_path_keys(const DynamicParts& parts, const Values& values) {
     for (const char* path : {"path.control", "path.controlled"})
         if (values.text(path) != (std::string_view{path} == "path.control" ? "auto" : "first"))
             throw values.refuse(path, "a dynamic path has no control", remedy);
+    if (values.count("path.frequencies") > 0)
+        throw values.refuse("path.frequencies", "a dynamic path has no natural frequencies, only a static path has",
+                            remedy);
     if (values.text("path.branch") == "follow")
         throw values.refuse("path.branch", "a dynamic path has no branches: inertia determines the motion", remedy);
 }

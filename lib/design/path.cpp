@@ -4,6 +4,7 @@
 #include <map>
 
 #include "core/text.hpp"
+#include "design/materials.hpp"
 
 namespace soft::design {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 using model::Control;
 using model::Prescription;
 
-constexpr const char* controlled_path = "path.controlled";
+constexpr const char *controlled_path = "path.controlled", *frequencies_path = "path.frequencies";
 
 class StageReader {
 public:
@@ -161,6 +162,16 @@ void check_all_named(const PathParts& parts, const Values& values) {
     }
 }
 
+void check_frequencies(const Values& values) {
+    require_density(values, frequencies_path);
+    const std::string& linear = values.text("solver.linear");
+    if (linear == "krylov" || linear == "jacobian-free")
+        throw values.refuse(
+            frequencies_path,
+            "natural frequencies need a factorisation of the tangent, which solver.linear: " + linear + " avoids",
+            "use solver.linear: auto or mumps-ldlt, or path.frequencies: 0");
+}
+
 }  // namespace
 
 model::PathSettings path_of(const PathParts& parts, std::span<const Item> items, const Values& values) {
@@ -177,6 +188,8 @@ model::PathSettings path_of(const PathParts& parts, std::span<const Item> items,
     path.imperfection_m = values.number("path.imperfection");
     if (values.text("path.contact") == "ignore") path.contact = model::Contact::ignore;
     path.stretch_limit = values.number("path.stretch_limit");
+    path.frequencies = values.count(frequencies_path);
+    if (path.frequencies > 0) check_frequencies(values);
     return path;
 }
 

@@ -64,7 +64,14 @@ std::vector<Key> branch_keys() {
          .fallback = core::quantity_text(defaults.stretch_limit, core::Dimension::ratio),
          .meaning = "stretch, exceeded in 1 % of the rubber, at which a load that cannot be reached is abandoned",
          .min = 1,
-         .min_open = true}};
+         .min_open = true},
+        {.path = "path.frequencies",
+         .kind = Kind::count,
+         .fallback = std::to_string(defaults.frequencies),
+         .meaning =
+             "number of natural frequencies of small vibrations about each state, loads held; needs material.density",
+         .min = 0,
+         .max = model::max_frequencies}};
 }
 
 Kind kind_of(const Node* measure) {

@@ -99,7 +99,7 @@ constexpr std::array numbers{&solution::Step::load_factor,         &solution::St
 constexpr std::array lists{&solution::Step::pressures_Pa,    &solution::Step::volumes_m3,
                            &solution::Step::outputs,         &solution::Step::tangent_pressures,
                            &solution::Step::tangent_volumes, &solution::Step::tangent_outputs,
-                           &solution::Step::output_errors};
+                           &solution::Step::output_errors,   &solution::Step::frequencies_Hz};
 constexpr std::array counts{&solution::Step::stage, &solution::Step::newton_iterations,
                             &solution::Step::factorizations};
 
@@ -131,7 +131,7 @@ constexpr std::array checkpoint_flags{&solution::Checkpoint::user_control_failed
 /// Fails to compile if a struct gets a member that is not stored here. A resumed path would otherwise differ.
 [[maybe_unused]] void every_member_is_kept(const solution::Step& step, const solution::Checkpoint& checkpoint) {
     [[maybe_unused]] const auto& [s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12, s13, s14, s15, s16, s17, s18, s19,
-                                  s20, extremes, energies, motion, s21, s22] = step;
+                                  s20, extremes, energies, motion, s21, s22, s23] = step;
     [[maybe_unused]] const auto& [x1, x2] = *extremes;
     [[maybe_unused]] const auto& [n1, n2, n3] = *energies;
     [[maybe_unused]] const auto& [m1, m2, m3, m4, m5] = *motion;

@@ -191,6 +191,18 @@ void check_stage(const Checker& check, const model::Stage& stage, const std::str
     check_levels(check, stage.motions, input.motions.size(), location + "/motions");
 }
 
+void check_frequencies(const Checker& check) {
+    const model::Case& input = check.model();
+    const int count = input.path.frequencies;
+    const std::string location = "/control/frequencies";
+    check.require(count >= 0 && count <= model::max_frequencies, location, "must be between 0 and 50");
+    if (count == 0) return;
+    check.require(!input.dynamics, location, "must be 0 in a dynamic case");
+    for (const model::Material& material : input.materials)
+        check.require(material.density_kg_m3.has_value(), "/materials/" + material.name + "/density",
+                      "is missing, but natural frequencies require it");
+}
+
 }  // namespace
 
 void check_loads(const Checker& check) {
@@ -211,6 +223,7 @@ void check_path(const Checker& check) {
     check.require_positive(path.imperfection_m, "/control/imperfection");
     check.require(std::isfinite(path.stretch_limit) && path.stretch_limit > 1, "/control/stretch_limit",
                   "must be greater than 1");
+    check_frequencies(check);
     check_settings(check);
 }
 

@@ -34,6 +34,12 @@ ListColumns output_error_columns(const model::Case& model) {
     return columns;
 }
 
+ListColumns frequency_columns(const model::Case& model) {
+    ListColumns columns{"frequencies", "natural frequency of small vibrations about the state; negative: unstable", {}};
+    for (int k = 1; k <= model.path.frequencies; ++k) columns.names.push_back({std::to_string(k), "Hz"});
+    return columns;
+}
+
 const char* load_units(const model::Case& model) {
     switch (model::leading_load(model)) {
         case model::LeadingLoad::pressure:

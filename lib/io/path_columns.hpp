@@ -26,6 +26,8 @@ struct ListColumns {
 [[nodiscard]] ListColumns output_columns(const model::Case& model);
 /// Half width of the error bar of each output, in its unit, for rows that have error bars.
 [[nodiscard]] ListColumns output_error_columns(const model::Case& model);
+/// One column per natural frequency.
+[[nodiscard]] ListColumns frequency_columns(const model::Case& model);
 /// Unit of the leading load: "Pa", "N" for a force, or "1" for the load factor.
 [[nodiscard]] const char* load_units(const model::Case& model);
 

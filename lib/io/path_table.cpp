@@ -205,6 +205,9 @@ void require_valid(const Step& step, const model::Case& model) {
         if (!all_finite(step.*list.values) || !all_finite(step.*list.tangents))
             refuse("a step has a value that is not finite");
     }
+    if (step.frequencies_Hz.size() != static_cast<std::size_t>(model.path.frequencies) ||
+        !all_finite(step.frequencies_Hz))
+        refuse("a step does not have one finite value per natural frequency");
     if (step.output_errors.size() != (step.pressure_error_Pa ? model.outputs.size() : 0))
         refuse("a step does not have one error per output");
     if (!is_error(step.pressure_error_Pa.value_or(0)) || !std::ranges::all_of(step.output_errors, is_error))
@@ -248,6 +251,7 @@ void write_steps(hid_t path, std::span<const Step> steps, const model::Case& mod
     write_optional(path, steps);
     write_volumes(path, steps);
     write_errors(path, steps, model);
+    write_lists(path, frequency_columns(model), steps, &Step::frequencies_Hz);
     const GroupHandle tangents =
         create_group(path, "tangents", "derivatives by a common path parameter of arbitrary positive scale");
     write_numbers(tangents.get(), load_tangent, steps);
@@ -292,6 +296,7 @@ std::vector<Step> read_steps(const GroupReader& path, const model::Case& model) 
         for (std::size_t i = 0; i < steps.size(); ++i) steps[i].stable_under_control = controlled[i] == 1;
     }
     read_errors(path, steps, model);
+    read_lists(path, frequency_columns(model), steps, &Step::frequencies_Hz);
     read_times(path, steps, model);
     read_optional(path, steps, model);
     const GroupReader tangents = path.group("tangents");

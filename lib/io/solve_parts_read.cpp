@@ -126,6 +126,7 @@ model::PathSettings read_path(const GroupReader& group) {
     path.imperfection_m = group.number("imperfection");
     path.contact = group.word("contact", contact_names);
     path.stretch_limit = group.number("stretch_limit");
+    if (group.has("frequencies")) path.frequencies = group.int_count("frequencies", 0);
     const GroupReader stages = group.group("stages");
     const std::size_t count = stages.names().size();
     for (std::size_t i = 0; i < count; ++i) path.stages.push_back(read_stage(stages.group(std::to_string(i))));

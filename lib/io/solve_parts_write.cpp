@@ -158,6 +158,7 @@ void write_control(hid_t parent, const model::Case& model) {
     write_number(group.get(),
                  {"stretch_limit", "1", "stretch_p99 beyond which a load that cannot be reached is abandoned"},
                  path.stretch_limit);
+    write_count(group.get(), {"frequencies", "1", "number of natural frequencies of each row"}, path.frequencies);
     const GroupHandle stages = create_group(group.get(), "stages", "load programme, one group per stage: 0, 1 ...");
     for (std::size_t i = 0; i < path.stages.size(); ++i) write_stage(stages.get(), path.stages[i], i);
     write_settings(group.get(), model);

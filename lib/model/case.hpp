@@ -174,12 +174,15 @@ struct Stage {
 enum class Branch { stay, follow };
 enum class Contact { stop, ignore };
 
+inline constexpr int max_frequencies = 50;
+
 struct PathSettings {
     std::vector<Stage> stages;
     Branch branch = Branch::stay;     ///< follow: switch to the other branch at the first bifurcation of the path
     double imperfection_m = 1e-4;     ///< perturbation used to switch branches: maximum displacement of the scaled mode
     Contact contact = Contact::stop;  ///< behaviour where walls of the actuator touch
     double stretch_limit = 10;        ///< stretch_p99 beyond which a load that cannot be reached is abandoned
+    int frequencies = 0;  ///< number of natural frequencies of each row of a static path, at most max_frequencies
 };
 
 struct Case {

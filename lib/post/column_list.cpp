@@ -27,6 +27,7 @@ std::vector<Column> all_columns() {
     step.volume_m3 = step.pressure_error_Pa = 0.0;
     step.extremes = solution::Step::Extremes{};
     step.energies = solution::Step::Energies{};
+    step.frequencies_Hz = {0};
     model.cavities = {{"<cavity>", "", {}, {}}, {"<other>", "", {}, {}}};
     model.loads = {{.name = "<load>", .targets = {"<cavity>", "<other>"}, .gas = {}},
                    {.name = "<more>", .targets = {}, .gas = {}}};

@@ -17,7 +17,8 @@ struct Unit {
 };
 constexpr Unit kilopascal{"kPa", "kPa", core::Dimension::pressure, 1e3}, newton{"N", "N", core::Dimension::force, 1},
     millilitre{"mL", "mL", core::Dimension::volume, 1e-6}, second{"s", "s", core::Dimension::time, 1},
-    millijoule{"mJ", "mJ", core::Dimension::energy, 1e-3}, millimetre{"mm", "mm", core::Dimension::length, 1e-3},
+    hertz{"Hz", "Hz", core::Dimension::rate, 1}, millijoule{"mJ", "mJ", core::Dimension::energy, 1e-3},
+    millimetre{"mm", "mm", core::Dimension::length, 1e-3},
     per_volume{"kJ/m^3", "kJ_m3", core::Dimension::pressure, 1e3}, none{"", "", core::Dimension::ratio, 1};
 
 Unit column_unit(model::Measure measure) {
@@ -202,6 +203,9 @@ void check(std::span<const solution::Step> steps, std::span<const ListColumns> l
             throw Error(ExitCode::bad_input, location, "the cavity volume is recorded at some of the steps only");
         if (step.motion.has_value() != steps.front().motion.has_value())
             throw Error(ExitCode::bad_input, location, "the time is recorded at some of the steps only");
+        if (step.frequencies_Hz.size() != steps.front().frequencies_Hz.size())
+            throw Error(ExitCode::bad_input, location,
+                        "the natural frequencies are recorded at some of the steps only");
         const bool has_errors = steps.front().pressure_error_Pa.has_value();
         if (step.pressure_error_Pa.has_value() != has_errors ||
             step.output_errors.size() != (has_errors ? lists.front().columns.size() : 0))
@@ -258,6 +262,10 @@ Curve make_curve(const model::Case& model, std::span<const solution::Step> steps
     const bool has_controlled = !steps.empty() && std::ranges::all_of(steps, [](const solution::Step& step) {
         return step.stable_under_control.has_value();
     });
+    std::vector<Column> frequencies;
+    for (std::size_t k = 1; !steps.empty() && k <= steps.front().frequencies_Hz.size(); ++k)
+        frequencies.push_back(with_unit("frequency_" + std::to_string(k), hertz, Role::dependent,
+                                        "natural frequency 1, 2 ... about the state, loads held; negative: unstable"));
     std::vector<OnDemand> extras = on_demand(model);
     std::erase_if(extras, [&](const OnDemand& extra) {
         return !std::ranges::all_of(steps, [&](const solution::Step& step) {
@@ -279,6 +287,7 @@ Curve make_curve(const model::Case& model, std::span<const solution::Step> steps
         jacobian.values.push_back(step.min_jacobian);
         stable.values.push_back(step.stable ? 1 : 0);
         controlled.values.push_back(step.stable_under_control.value_or(step.stable) ? 1 : 0);
+        for (std::size_t k = 0; k < frequencies.size(); ++k) frequencies[k].values.push_back(step.frequencies_Hz[k]);
         for (OnDemand& extra : extras) {
             extra.column.values.push_back(in_column_unit(extra.column, *extra.value_SI(step)));
             if (const auto slope = extra.slope_SI(step))
@@ -299,6 +308,7 @@ Curve make_curve(const model::Case& model, std::span<const solution::Step> steps
     for (std::size_t i = 1; i < lists.size(); ++i)
         for (Column& column : lists[i].columns) add(column);
     for (Column& column : errors) add(column);
+    for (Column& column : frequencies) add(column);
     if (moves)
         for (auto& energy : motion.energies) add(energy.column);
     for (Column* column : {&p99, &largest, &jacobian, &stable}) add(*column);

@@ -5,6 +5,7 @@
 ///   <output>_mm (_deg, _per_m, _N, _Nmm by its measure) ...; volume_mL;
 ///   pressure_<load>_kPa ... and volume_<cavity>_mL ... (cases with several loads or cavities);
 ///   pressure_error_kPa (traction_, load_factor_) and <output>_error_mm or _deg ...: half widths of the errors after `solve --tolerance`;
+///   frequency_1_Hz ... (model::PathSettings::frequencies);
 ///   kinetic_energy_mJ, stored_energy_mJ, load_work_mJ, damping_work_mJ (dynamic cases);
 ///   stretch_p99, max_stretch, min_J, stable; stable_under_control (static paths).
 /// On demand: stored_energy_mJ and load_work_mJ (static cases), max_stretch_x_mm ... (undeformed position of max_stretch),

@@ -72,6 +72,8 @@ struct Step {
     /// value of the first output (of the volume if there are no outputs), and of each output at equal pressure_Pa.
     std::optional<double> pressure_error_Pa;
     std::vector<double> output_errors;
+    /// model::PathSettings::frequencies values, ascending; negative: unstable (solver/natural_frequencies.hpp).
+    std::vector<double> frequencies_Hz = {};
 };
 
 /// Extremum of the leading load along the path.

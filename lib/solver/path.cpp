@@ -43,6 +43,7 @@ void PathFollower::prepare() {
                     "fix a face in that direction");
     if (input_.path.stages.empty()) throw Error(ExitCode::bad_input, "path", "the load programme has no stages");
     undeformed_volumes_m3_ = undeformed_volumes_m3(system_);
+    if (input_.path.frequencies > 0) frequencies_.emplace(system_, input_.path.frequencies);
 }
 
 void PathFollower::start() {

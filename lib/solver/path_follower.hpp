@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "solver/goals.hpp"
 #include "solver/history.hpp"
+#include "solver/natural_frequencies.hpp"
 #include "solver/path.hpp"
 #include "solver/path_text.hpp"
 #include "solver/visited_states.hpp"
@@ -179,6 +180,7 @@ private:
     model::SolverSettings settings_;
     Newton newton_;
     const Listeners& listeners_;
+    std::optional<NaturalFrequencies> frequencies_;  // of every row
     linalg::Vector scratch_;
     std::vector<double> undeformed_volumes_m3_;  // by load
 

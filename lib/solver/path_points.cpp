@@ -40,6 +40,7 @@ void PathFollower::append(PathPoint& point) {
     step.stable = is_stable(point);
     step.stable_under_control = is_stable_under_control(point);
     read_rubber(system_, point, direction, step);
+    if (frequencies_) step.frequencies_Hz = frequencies_->evaluate(point.state.x, point.levels);
     stretch_p99_ = step.stretch_p99;
     visited_.push_back({sketch_of(point.state.x), sketch_of(point.tangent.x)});
     const double size = linalg::norm(point.tangent.x);

@@ -21,7 +21,10 @@ RefinedPath::RefinedPath(assembly::System& fine, const mesh::Refined& refined)
       origin_(fine.make_vector()),
       direction_(fine.make_vector()),
       pressures_(fine.make_vector()),
-      undeformed_volumes_m3_(undeformed_volumes_m3(fine)) {}
+      undeformed_volumes_m3_(undeformed_volumes_m3(fine)) {
+    const int frequencies = fine.input().path.frequencies;
+    if (frequencies > 0) frequencies_.emplace(fine, frequencies);
+}
 
 void RefinedPath::set_stage(int stage) {
     if (stage == stage_) return;
@@ -120,6 +123,8 @@ std::optional<RowState> RefinedPath::solve(const RowState& coarse, RowPosition p
     row.step.newton_iterations = iterations_ - iterations;
     row.step.factorizations = newton_.factorizations() - factorizations;
     read_rubber(system_, point, 1.0, row.step);
+    if (frequencies_ && keep == Keep::fields)  // a mesh that is only compared reports no rows
+        row.step.frequencies_Hz = frequencies_->evaluate(point.state.x, point.levels);
     if (keep == Keep::fields) row = row_state(system_, point, 1.0, std::move(row.step));
     last_ = std::move(point);
     return row;

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "mesh/refine.hpp"
+#include "solver/natural_frequencies.hpp"
 #include "solver/newton.hpp"
 #include "solver/row_state.hpp"
 
@@ -48,6 +49,7 @@ private:
     std::vector<double> undeformed_volumes_m3_;      // by load
     Constraint nearest_;
     std::optional<PathPoint> last_;
+    std::optional<NaturalFrequencies> frequencies_;
     FromTangent of_last_ = FromTangent::along_the_path;
     int iterations_ = 0;
 };

@@ -176,6 +176,8 @@ TEST(DynamicDesign, RejectsKeysOfAStaticPath) {
     expect_refused(with("control: pressure"), "path.control: a dynamic path has no control",
                    "leave out dynamics.duration");
     expect_refused(with("branch: follow"), "path.branch: a dynamic path has no branches", "");
+    expect_refused(with("frequencies: 2"), "path.frequencies: a dynamic path has no natural frequencies",
+                   "leave out dynamics.duration");
     expect_refused(with("until: {elongation: 4 mm}"), "path.until.elongation: a dynamic path ends after its duration",
                    "");
     EXPECT_EQ(read(with("until: {steps: 4}, contact: ignore")).path.stages.at(0).until.at(0).quantity, "steps");

@@ -35,6 +35,24 @@ TEST(Path, ReadsBranchAndContactSettings) {
     EXPECT_TRUE(contains(refusal(base + "path: {stretch_limit: 1}\n"), "path.stretch_limit: 1 is out of range"));
 }
 
+TEST(Path, NaturalFrequenciesNeedADensityAndAFactorisation) {
+    const std::string three = "path: {frequencies: 3}\n";
+    const auto refused = [&](const std::string& path_text, std::vector<Override> sets) {
+        sets.push_back({"material.density", "1080 kg/m^3"});
+        return refusal(base + path_text, sets);
+    };
+    EXPECT_EQ(path("").frequencies, 0);
+    EXPECT_EQ(read(base + three, {{"material.density", "1080 kg/m^3"}}).path.frequencies, 3);
+    EXPECT_TRUE(contains(refusal(base + three),
+                         "path.frequencies: the rubber has no density; add material: {density: 1080 kg/m^3}"));
+    for (const char* linear : {"krylov", "jacobian-free"})
+        EXPECT_TRUE(contains(refused(three, {{"solver.linear", linear}}),
+                             std::string{"path.frequencies: natural frequencies need a factorisation of the tangent, "
+                                         "which solver.linear: "} +
+                                 linear + " avoids; use solver.linear: auto or mumps-ldlt, or path.frequencies: 0"));
+    EXPECT_TRUE(contains(refused("path: {frequencies: 51}\n", {}), "path.frequencies: 51 is out of range"));
+}
+
 TEST(Path, ControlledQuantityMustMatchTheControl) {
     const std::string outputs = "outputs: {a: {face: inlet}, b: {face: outer, along: r}}\n";
     EXPECT_EQ(path(outputs + "path: {control: displacement, controlled: b}\n").stages.at(0).controlled, "b");

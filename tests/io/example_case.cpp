@@ -124,6 +124,7 @@ model::Case section_case() {
     model.path.imperfection_m = 2.5e-5;
     model.path.contact = model::Contact::ignore;
     model.path.stretch_limit = 7.5;
+    model.path.frequencies = 2;
     model.solver = {.residual_tolerance = 3e-10,
                     .newton = model::NewtonMethod::bfgs,
                     .line_search = model::LineSearch::secant,
@@ -231,6 +232,7 @@ solution::Step example_step(int number) {
     step.min_jacobian = 1 - t / 100;
     step.extremes = {{0.1 * number, 0.2, -0.3}, 1e4 * t};
     step.energies = {2e-3 * t, 2.1e-3 * t, 2.05e-3 + t};
+    step.frequencies_Hz = {0.5 - number, 12.25 + t};
     return step;
 }
 

@@ -186,6 +186,7 @@ void expect_equal(const model::Case& left, const model::Case& right) {
     EXPECT_EQ(left.path.imperfection_m, right.path.imperfection_m);
     EXPECT_EQ(left.path.contact, right.path.contact);
     EXPECT_EQ(left.path.stretch_limit, right.path.stretch_limit);
+    EXPECT_EQ(left.path.frequencies, right.path.frequencies);
     expect_equal(left.solver, right.solver);
     expect_equal(left.dynamics, right.dynamics);
 }
@@ -224,6 +225,7 @@ void expect_equal(const solution::Step& left, const solution::Step& right) {
     }
     EXPECT_EQ(left.pressure_error_Pa, right.pressure_error_Pa);
     EXPECT_EQ(left.output_errors, right.output_errors);
+    EXPECT_EQ(left.frequencies_Hz, right.frequencies_Hz);
     ASSERT_EQ(left.motion.has_value(), right.motion.has_value());
     if (!left.motion) return;
     EXPECT_EQ(left.motion->time_s, right.motion->time_s);

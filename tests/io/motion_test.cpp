@@ -108,6 +108,8 @@ TEST(DynamicCase, CorruptedSettingsAreRejectedWithTheirLocation) {
          {number("/control/dynamics/mass_damping", -1), "/control/dynamics/mass_damping"},
          {number("/control/dynamics/stiffness_damping", nan), "/control/dynamics/stiffness_damping"},
          {[](hid_t f) { overwrite(f, "/control/dynamics/rows", 0, Integers{0}); }, "/control/dynamics/rows"},
+         {[](hid_t f) { overwrite(f, "/control/frequencies", 0, Integers{3}); },
+          "/control/frequencies: must be 0 in a dynamic case"},
          {[&](hid_t f) { replace_text(f, dynamics, "integrator", "magic"); }, "/control/dynamics/integrator: 'magic'"},
          {[&](hid_t f) {
               replace_text(f, dynamics, "integrator", "hht");  // spectral radius 0.25: alpha = 0.6

@@ -269,6 +269,8 @@ const std::vector<Corruption>& corruptions() {
          "/control/imperfection"},
         {"StretchLimitOne", [](hid_t f) { overwrite(f, "/control/stretch_limit", 0, Numbers{1}); },
          "/control/stretch_limit"},
+        {"TooManyFrequencies", [](hid_t f) { overwrite(f, "/control/frequencies", 0, std::vector<std::int64_t>{51}); },
+         "/control/frequencies: must be between 0 and 50"},
         {"SupportOfNoFace",
          [](hid_t f) {
              unlink(f, "/supports/face");

@@ -114,6 +114,15 @@ TEST(ResultFile, RejectsInvalidErrorBars) {
     refuses(step);
 }
 
+TEST(ResultFile, RejectsMissingAndInvalidFrequencies) {
+    ResultWriter writer{{section_image(), "case.h5", section_case()}, example_provenance("solve"), {}};
+    for (const std::vector<double>& frequencies : {std::vector<double>{}, {1.0}, {1.0, nan}}) {
+        solution::Step step = example_step(0);
+        step.frequencies_Hz = frequencies;
+        EXPECT_THROW(writer.append(step, example_displacement(0), example_pressure(0)), Error);
+    }
+}
+
 /// The section with other loads, as after `solve --set`. Its path has other columns.
 model::Case changed_case() {
     model::Case model = section_case();

@@ -87,6 +87,23 @@ TEST(Curve, HasErrorColumnsIfTheRowsHaveErrors) {
     EXPECT_THROW(static_cast<void>(make_curve(model, steps)), Error);
 }
 
+TEST(Curve, HasAColumnPerNaturalFrequency) {
+    solution::Step step = step_with(3e4, {}, std::nullopt);
+    step.frequencies_Hz = {-2, 30};
+    std::vector steps{step, step};
+    steps[1].frequencies_Hz = {4, 60};
+    const Curve curve = make_curve(sample_case(), steps);
+    EXPECT_EQ(names(curve), (std::vector<std::string>{"step", "pressure_kPa", "frequency_1_Hz", "frequency_2_Hz",
+                                                      "stretch_p99", "max_stretch", "min_J", "stable"}));
+    EXPECT_EQ(curve.find("frequency_1")->values, (std::vector{-2.0, 4.0}));
+    EXPECT_EQ(curve.find("frequency_2")->values, (std::vector{30.0, 60.0}));
+    const table::Heading heading = table::parse_heading("frequency_2_Hz");  // the table can be read back
+    EXPECT_EQ(heading.quantity, "frequency_2");
+    EXPECT_EQ(table::dimension_of(heading.unit), curve.find("frequency_2")->dimension);
+    steps[1].frequencies_Hz.clear();
+    EXPECT_THROW(static_cast<void>(make_curve(sample_case(), steps)), Error);
+}
+
 TEST(Curve, GivesEveryMeasureInItsUnit) {
     model::Case model = sample_case({"a", "b", "c", "d"});
     model.outputs[0].measure = model::Measure::force;
@@ -161,6 +178,7 @@ TEST(Columns, AreAllListedOnceWithTheirMeaning) {
                              "volume_<cavity>_mL",
                              "pressure_error_kPa",
                              "<bend>_error_deg",
+                             "frequency_1_Hz",
                              "kinetic_energy_mJ",
                              "stored_energy_mJ",
                              "max_stretch_r_mm",
