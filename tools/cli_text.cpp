@@ -147,6 +147,8 @@ std::string man_page(const CLI::App& app, const About& about) {
         if (option->nonpositional() && takes_value(*option)) page += " \\fI" + roff(value_name(*option)) + "\\fR";
         page += "\n" + roff(option->get_description()) + "\n";
         if (const std::string words = words_of(*option); !words.empty()) page += ".br\nOne of: " + roff(words) + ".\n";
+        if (const std::string value = option->get_default_str(); !value.empty())
+            page += ".br\nDefault: " + roff(value) + ".\n";
     }
     page += ".SH EXIT STATUS\n";
     for (const auto& [code, meaning] : exit_codes)

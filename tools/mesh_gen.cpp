@@ -7,6 +7,7 @@
 #include "cli.hpp"
 #include "core/text.hpp"
 #include "design/design.hpp"
+#include "design/key_list.hpp"
 #include "design/law_list.hpp"
 #include "geometry/build.hpp"
 #include "geometry/family.hpp"
@@ -135,6 +136,9 @@ ExitCode run_task(const cli::MeshGenOptions& options) {
                                                                {"--picture", options.picture}});
     switch (options.task) {
         case cli::Task::list: cli::write_output(output, family_list()); return ExitCode::ok;
+        case cli::Task::list_keys:
+            cli::write_output(output, design::key_list(geometry::catalogue_keys()));
+            return ExitCode::ok;
         case cli::Task::list_materials:
             cli::write_output(output, design::law_list(options.law_style));
             return ExitCode::ok;

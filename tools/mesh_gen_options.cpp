@@ -49,8 +49,11 @@ std::optional<MeshGenOptions> parse_mesh_gen_options(int argc, char** argv) {
     app.add_flag_callback("--explain", task(Task::explain),
                           "Print the effective design: given values, defaults and the meaning of each key");
     app.add_flag_callback("--list", task(Task::list), "Print the actuator families");
-    auto* materials = app.add_flag_callback("--list-materials", task(Task::list_materials),
-                                            "Print the material laws: energy, parameters, ranges, sources");
+    app.add_flag_callback("--list-keys", task(Task::list_keys),
+                          "Print all keys of designs as Markdown: values, ranges, defaults, meaning");
+    auto* materials = app.add_flag_callback(
+        "--list-materials", task(Task::list_materials),
+        "Print the material laws (energy, parameters, ranges, sources) and the silicones by name");
     app.add_flag_callback(
            "--markdown", [&options] { options.law_style = design::LawListStyle::markdown; },
            "With --list-materials: print Markdown tables")
@@ -71,8 +74,9 @@ std::optional<MeshGenOptions> parse_mesh_gen_options(int argc, char** argv) {
     add_set_option(app, options.sets);
     add_common_options(app, options.common, about);
     if (!parse(app, about, options.common, argc, argv)) return std::nullopt;
-    require_at_most_one(app, std::vector<std::string>{"--check", "--explain", "--list", "--list-materials",
-                                                      "--template", "--output-folder", "--surface", "--describe"});
+    require_at_most_one(
+        app, std::vector<std::string>{"--check", "--explain", "--list", "--list-keys", "--list-materials", "--template",
+                                      "--output-folder", "--surface", "--describe"});
     require_at_most_one(app, std::vector<std::string>{"--surface", "--output"});
     require_at_most_one(app, std::vector<std::string>{"--output-folder", "--output"});
     require_at_most_one(app, std::vector<std::string>{"--output-folder", "--json"});

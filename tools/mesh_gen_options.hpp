@@ -11,7 +11,7 @@ namespace soft::cli {
 
 [[nodiscard]] const About& mesh_gen_about() noexcept;
 
-enum class Task { build, check, explain, list, list_materials, print_template, surface, describe };
+enum class Task { build, check, explain, list, list_keys, list_materials, print_template, surface, describe };
 
 struct MeshGenOptions {
     CommonOptions common;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/text.hpp"
+#include "core/unit_names.hpp"
 
 namespace soft::core {
 namespace {
@@ -183,15 +184,6 @@ std::string with_article(std::string_view noun) {
     return (std::string_view{"aeiou"}.find(noun.front()) == std::string_view::npos ? "a " : "an ") + std::string{noun};
 }
 
-std::vector<std::string> unit_names(std::optional<Dimension> dimension) {
-    std::vector<std::string> names;
-    for (const Unit& unit : units) {
-        const bool ascii = unit.name.find_first_of("\xC2\xCE") == std::string_view::npos;
-        if (ascii && (!dimension || unit.dimension == *dimension)) names.emplace_back(unit.name);
-    }
-    return names;
-}
-
 const Unit* find_unit(std::string_view name) noexcept {
     const auto unit = std::find_if(units.begin(), units.end(), [&](const Unit& u) { return u.name == name; });
     return unit == units.end() ? nullptr : &*unit;
@@ -243,6 +235,15 @@ Refusal unknown_unit(const Parts& parts, Dimension dimension) {
 }
 
 }  // namespace
+
+std::vector<std::string> unit_names(std::optional<Dimension> dimension) {
+    std::vector<std::string> names;
+    for (const Unit& unit : units) {
+        const bool ascii = unit.name.find_first_of("\xC2\xCE") == std::string_view::npos;
+        if (ascii && (!dimension || unit.dimension == *dimension)) names.emplace_back(unit.name);
+    }
+    return names;
+}
 
 std::string_view name(Dimension dimension) noexcept {
     switch (dimension) {

@@ -189,6 +189,12 @@ std::vector<Key> name_keys(const FamilyKeys& family) {
     return keys;
 }
 
+Key cavity_faces_key(const std::string& cavity) {
+    return {.path = "geometry.cavities." + cavity,
+            .kind = Kind::faces,
+            .meaning = "faces that together are the wall of this cavity, for loads.cavities"};
+}
+
 std::vector<Key> face_rule_keys() {
     const auto point_key = [](const char* path, const char* meaning) {
         return Key{.path = path, .kind = Kind::length, .meaning = meaning, .max_count = 3};

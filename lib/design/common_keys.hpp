@@ -28,6 +28,9 @@ namespace soft::design {
 
 [[nodiscard]] std::vector<std::string> directions();  ///< axis, x, y, z, r, normal
 
+/// The key `geometry.cavities.<cavity>` of a family with faces_of_file.
+[[nodiscard]] Key cavity_faces_key(const std::string& cavity);
+
 /// Keys of a face rule below `geometry.faces.<name>`, without that prefix; all are optional.
 [[nodiscard]] std::vector<Key> face_rule_keys();
 

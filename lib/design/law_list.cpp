@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <sstream>
 
+#include "core/text.hpp"
+#include "core/units.hpp"
 #include "design/checks.hpp"
+#include "design/markdown.hpp"
+#include "design/material_library.hpp"
 #include "design/materials.hpp"
 
 namespace soft::design {
@@ -76,43 +80,53 @@ std::string plain() {
         text += wrapped("  runs as         ", forms_of(law));
         text += wrapped("  source          ", std::string{law.source});
     }
+    std::vector<std::string> names;
+    for (const MaterialFile& file : material_files()) names.emplace_back(file.name);
+    return text + "\nsilicones of the library\n" + wrapped("  names           ", core::join(names));
+}
+
+/// "54.43 kPa" for "54.43110081 kPa".
+std::string rounded(const std::string& quantity) {
+    constexpr int digits = 4;
+    const core::QuantityParts parts = core::quantity_parts(quantity);
+    return core::rounded_text(std::stod(parts.number), digits) + (parts.unit.empty() ? "" : " ") + parts.unit;
+}
+
+/// The constants of a set of the material library: "c1 = 54.43 kPa, c2 = 9.162 kPa".
+std::string constants_of(const MaterialSet& set) {
+    std::vector<std::string> constants;
+    for (const material::Parameter& parameter : material::find_law(set.law)->parameters)
+        if (const Node* value = find(set.block, parameter.name))
+            constants.push_back(std::string{parameter.name} + " = " + rounded(value->text));
+    return core::join(constants);
+}
+
+std::string material_table() {
+    std::string text = table_head({"name", "law", "range of strain", "constants", "largest error"});
+    for (const MaterialFile& file : material_files())
+        for (const MaterialSet& set : material_sets(file)) {
+            const Node* error = find_path(set.block, "fit.max_error");
+            text += table_row({std::string{file.name}, set.law, set.strain_text, constants_of(set),
+                               error == nullptr ? "-" : error->text});
+        }
     return text;
 }
-
-/// Escapes the bars of a Markdown table cell.
-std::string cell(const std::string& text) {
-    std::string escaped;
-    for (const char c : text) {
-        if (c == '|') escaped += '\\';
-        escaped += c;
-    }
-    return escaped;
-}
-
-std::string code(std::string_view text) { return std::string{}.append("`").append(text).append("`"); }
 
 std::string markdown() {
-    std::string text =
-        "| law | energy per undeformed volume | for | source |\n"
-        "|---|---|---|---|\n";
-    const auto row = [&](const std::vector<std::string>& cells) {
-        for (const std::string& content : cells) text.append("| ").append(cell(content)).append(" ");
-        text.append("|\n");
-    };
+    std::string text = "## Laws\n\n" + table_head({"law", "energy per undeformed volume", "use", "source"});
     for (const material::LawInfo& law : material::laws())
-        row({std::string{law.name}, code(law.energy), std::string{law.validity}, std::string{law.source}});
-    text +=
-        "\n| law | parameter | unit | range | meaning |\n"
-        "|---|---|---|---|---|\n";
+        text +=
+            table_row({std::string{law.name}, code(law.energy), std::string{law.validity}, std::string{law.source}});
+    text += "\n## Parameters\n\n" + table_head({"law", "parameter", "unit", "range", "meaning"});
     for (const material::LawInfo& law : material::laws())
         for (const material::Parameter& parameter : law.parameters)
-            row({std::string{law.name}, code(parameter.name), unit_of(parameter.quantity), range_of(parameter),
-                 std::string{parameter.meaning}});
-    text +=
-        "\n| law | change of volume | formulations |\n"
-        "|---|---|---|\n";
-    for (const material::LawInfo& law : material::laws()) row({std::string{law.name}, bulk_of(law), forms_of(law)});
-    return text;
+            text += table_row({std::string{law.name}, code(parameter.name), unit_of(parameter.quantity),
+                               range_of(parameter), std::string{parameter.meaning}});
+    text += "\n## Volumetric parameters and formulations\n\n" +
+            table_head({"law", "volumetric parameters", "`mesh.formulation`"});
+    for (const material::LawInfo& law : material::laws())
+        text += table_row({std::string{law.name}, bulk_of(law), forms_of(law)});
+    return text + "\n## Silicones of the material library\n\n" + material_table();
 }
 
 }  // namespace

@@ -78,10 +78,7 @@ constexpr const char *cavities_path = "geometry.cavities", *face_rules_path = "g
 
 /// Adds the keys of the cavities that a design defines from the faces of its file.
 void add_cavity_keys(Schema& schema, const Node& root) {
-    for (const Member& cavity : members_of(root, cavities_path))
-        schema.keys.push_back({.path = std::string{cavities_path} + "." + cavity.key,
-                               .kind = Kind::faces,
-                               .meaning = "faces that together are the wall of this cavity, for loads.cavities"});
+    for (const Member& cavity : members_of(root, cavities_path)) schema.keys.push_back(cavity_faces_key(cavity.key));
     schema.names[cavities_path];
 }
 

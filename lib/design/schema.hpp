@@ -1,5 +1,5 @@
 #pragma once
-/// Declaration of the keys of a design, used by the parser, the errors, --template, --explain and the README.
+/// Declaration of the keys of a design, used by the parser, the errors, --template, --explain and docs/reference/keys.md.
 #include <limits>
 #include <string>
 #include <string_view>

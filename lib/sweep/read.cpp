@@ -201,7 +201,7 @@ void check_size(const Sweep& sweep, const std::string& location) {
 }  // namespace
 
 Sweep read_sweep(std::string_view text, std::string_view source) {
-    const Node root = design::parse_yaml(text, source, {"sweep", "see README.md, 'Sweeps', for one"});
+    const Node root = design::parse_yaml(text, source, {"sweep", "see docs/guides/sweeps.md"});
     const std::string top = std::string{source} + ":1:1";
     if (root.kind != Node::Kind::map) refuse(top, "", "a sweep is a group of keys", "write design: ..., vary: {...}");
     check_keys(root, top_keys(), "");

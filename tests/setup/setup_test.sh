@@ -25,7 +25,7 @@ fresh_system() {   # all packages, an optimised BLAS, root, apt, and a CMake tha
     for tool in bash sh awk sed paste head tail mkdir rm uname env cat dirname mktemp grep; do
         ln -s "$(type -P "$tool")" "$bin/$tool"
     done
-    for tool in c++ ninja pkg-config mpirun gnuplot npm ffmpeg chromium pvpython Xvfb; do ln -s "$(type -P true)" "$bin/$tool"; done
+    for tool in c++ ninja pkg-config mpirun gnuplot npm ffmpeg python3 chromium pvpython Xvfb; do ln -s "$(type -P true)" "$bin/$tool"; done
     (cd "$work/tree" && scripts/setup --list debian) | tr ' ' '\n' >"$state/installed"
     echo 0 >"$state/uid"
     echo 'libblas.so.3-x auto /usr/lib/x/openblas-serial/libblas.so.3' >"$state/alternatives"
@@ -121,6 +121,11 @@ setup --tests
 claim "--tests installs packages of the tests" called '^apt-get .* chromium$'
 fresh_system; rm "$bin/chromium"; remove chromium; touch "$state/apt-fails"; setup --tests
 claim "a package of the tests that cannot be installed is a warning" says 'warning: chromium could not be installed'
+fresh_system; remove mkdocs; setup --docs
+claim "--docs installs mkdocs" called '^apt-get .* mkdocs$'
+claim "--docs does not configure" not called '^cmake'
+fresh_system; remove mkdocs; setup --tests
+claim "--tests installs the packages of the documentation" called '^apt-get .* mkdocs$'
 fresh_system; remove clang-16; rm -f "$bin/clang++-16"; setup --tests
 claim "--tests does not install packages of .ci/run" not called '^apt-get'
 setup --checks
