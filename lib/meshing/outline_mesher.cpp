@@ -153,9 +153,9 @@ mesh::Mesh mesh_once(const Outline& outline, const Size& size_m, FreeCells cells
     const bool quads = cells == FreeCells::quadrilaterals;
     const double factor = (quads ? 2 : 1) * scale;
     gmsh->mesh_freely(quads ? GmshSession::Free::quadrilaterals : GmshSession::Free::triangles,
-                     [&](std::array<double, 2> p) {
-                         return static_cast<double>(static_cast<float>(factor * size_m({p[0] / scale, p[1] / scale})));
-                     });
+                      [&](std::array<double, 2> p) {
+                          return static_cast<double>(static_cast<float>(factor * size_m({p[0] / scale, p[1] / scale})));
+                      });
     Fetched fetched{*gmsh, outline, scale};
     for (std::size_t c = 0; c < description.curves().size(); ++c)
         fetched.add_sides(static_cast<int>(c) + 1, description.curves()[c]);

@@ -80,7 +80,9 @@ TEST(DependentColumnsAtAStageChange, InterpolateTheEnergyFromItsPower) {
         const double l = stretches[i / 2], energy = (l * l + 2 / l - 3) / 2;
         const bool last_step = i % 2 == 1 && l < 1.246;
         EXPECT_NEAR(rows.find("stored_energy")->values[i] / 1e3, energy, (last_step ? 7.9e-4 : 2.8e-4) * largest) << i;
-        if (i % 2 == 0 && l < 1.05) EXPECT_NEAR(rows.find("stored_energy")->values[i] / 1e3 / energy, 1, 0.01) << i;
+        if (i % 2 == 0 && l < 1.05) {
+            EXPECT_NEAR(rows.find("stored_energy")->values[i] / 1e3 / energy, 1, 0.01) << i;
+        }
     }
 }
 
