@@ -1,5 +1,6 @@
 """Shared by the Python scripts of this folder: command line, messages and the programs of the build."""
 import os
+import resource
 import shutil
 import subprocess
 import sys
@@ -70,3 +71,9 @@ def run(*command, ok=(0,), **options):
 def exit_code(done):
     """As in a shell: 128 + N if signal N has killed the program."""
     return done.returncode if done.returncode >= 0 else 128 - done.returncode
+
+
+def children_cpu():
+    """User and system seconds of the ended child processes."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
