@@ -1,8 +1,9 @@
 # Front end of the CMake build: each target first installs and builds what it needs (packages, BLAS, configure, build).
 # `cmake -B build && cmake --build build` works without this file.
-.PHONY: help run build test test-all verify docs bench format tidy clean setup setup-tests
+.PHONY: help run build test test-all verify install package docs bench format tidy clean setup setup-tests
 .DEFAULT_GOAL := help
 
+PREFIX = /usr/local
 CXX_FILES = $(shell find lib tools tests -name '*.cpp' -o -name '*.hpp')
 
 help:
@@ -11,6 +12,8 @@ help:
 	@echo 'make test-all  all tests that CI runs'
 	@echo 'make verify  compute the verification table: terminal, results/verification.csv, tests/verification/README.md'
 	@echo 'make build   build everything in build/ (binaries in build/bin)'
+	@echo 'make install install programs, designs, headers and libraries in PREFIX (default /usr/local)'
+	@echo 'make package build .deb and .tar.gz in build/packages'
 	@echo 'make docs    build the website of docs/ in build/site'
 	@echo 'make bench   time the standard cases: terminal and results/benchmarks; BENCH="rod solid" or BENCH=all selects groups'
 	@echo 'make format  run clang-format on lib, tools and tests'
@@ -41,6 +44,15 @@ test-all: setup-tests
 verify: setup
 	@scripts/build verify
 	@scripts/verify
+
+install: setup
+	@scripts/build programs
+	@cmake --install build --prefix $(PREFIX)
+
+package:
+	@scripts/setup --package
+	@scripts/build programs
+	@cd build && cpack
 
 docs:
 	@scripts/setup --docs

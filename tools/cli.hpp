@@ -127,6 +127,10 @@ struct Input {
 /// Input limits in bytes. The design reader accepts one byte less and reports the excess itself.
 inline constexpr std::size_t max_table_bytes = std::size_t{1} << 26, max_design_bytes = (std::size_t{1} << 20) + 1;
 
+/// Reads a design or a sweep. A relative name that does not exist, such as designs/bellows.yaml, is also looked up in
+/// ../share/soft-actuator of the program's folder, where the installation keeps the examples; `source` is then that path.
+[[nodiscard]] Input read_design(const std::string& name);
+
 enum class Content { text, binary };
 
 /// Throws Error(usage) if binary data would be written to a terminal. Call before computing the data.

@@ -63,6 +63,8 @@ std::string write_surface(const model::Case& model, const std::string& file) {
 ExitCode build(const cli::MeshGenOptions& options, const cli::Input& input,
                const std::vector<design::Override>& overrides) {
     cli::Console console{about.tool, options.common.verbosity};
+    if (input.source != options.inputs.front() && input.source != "<stdin>")
+        console.say("reads the example " + input.source);
     const design::Design design =
         design::read_design(input.text(), input.source, geometry::catalogue_keys(), overrides);
     const geometry::Built built = geometry::build_with_figures(design);
@@ -155,7 +157,7 @@ ExitCode run_task(const cli::MeshGenOptions& options) {
         case cli::Task::build: cli::check_output(output, cli::Content::binary); break;
     }
     refuse_part(options.inputs.front());
-    const cli::Input input = cli::read_input(options.inputs.front(), cli::max_design_bytes);
+    const cli::Input input = cli::read_design(options.inputs.front());
     std::vector<design::Override> overrides;
     for (const std::string& set : options.sets) overrides.push_back(design::parse_override(set));
     if (options.task != cli::Task::explain) return build(options, input, overrides);

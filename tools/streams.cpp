@@ -44,6 +44,15 @@ Input read_input(const std::string& name, std::size_t limit, std::string_view si
     return {core::read_descriptor(STDIN_FILENO, "<stdin>", limit, signature), "<stdin>"};
 }
 
+Input read_design(const std::string& name) {
+    namespace fs = std::filesystem;
+    std::error_code failed;
+    const fs::path program = fs::read_symlink("/proc/self/exe", failed);
+    const fs::path installed = program.parent_path().parent_path() / "share" / "soft-actuator" / name;
+    const bool is_installed = !name.empty() && !fs::exists(name, failed) && fs::is_regular_file(installed, failed);
+    return read_input(is_installed ? installed.string() : name, max_design_bytes);
+}
+
 bool stdout_is_file() {
     struct stat status {};
     return ::fstat(STDOUT_FILENO, &status) == 0 && S_ISREG(status.st_mode);

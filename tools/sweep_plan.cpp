@@ -163,7 +163,7 @@ constexpr std::size_t max_programs = std::size_t{1} << 20;  // bytes
 std::string text_of(const core::Bytes& bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
 ExitCode sweep_plan(const SweepPlanOptions& options) {
-    const cli::Input input = cli::read_input(options.input, cli::max_design_bytes);
+    const cli::Input input = cli::read_design(options.input);
     const sweep::Sweep sweep = sweep::read_sweep(input.text(), input.source);
     const fs::path file = design::file_from(sweep.design.location, sweep.design.text);
     std::error_code unknown;

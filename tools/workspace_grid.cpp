@@ -156,7 +156,7 @@ ExitCode write_grid(const GridOptions& options) {
                                            {"outputs", "{" + outputs + "}", "--face"},
                                            {"solver.step_accuracy", step_accuracy, "--steps"}};
     for (const std::string& set : options.sets) settings.push_back(design::parse_override(set));
-    const cli::Input input = cli::read_input(options.input, cli::max_design_bytes);
+    const cli::Input input = cli::read_design(options.input);
     const auto read = [&] {
         return design::read_design(input.text(), input.source, geometry::catalogue_keys(), settings);
     };

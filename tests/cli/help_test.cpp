@@ -31,6 +31,8 @@ TEST(Help, ManPageAndCompletionHaveTheSameOptions) {
     EXPECT_EQ(matches(man, "\n\\\\fB(?:-[a-z], )?(--[a-z]+)"), in_help);
     const std::string words = *matches(completion, "then COMPREPLY=\\(\\$\\(compgen -W '([^']*)'").begin();
     EXPECT_EQ(matches(words, "(--[a-z]+)"), in_help);
+    EXPECT_EQ(matches(run(folder, "mesh-gen --completion zsh").out, "\n  '[^\\[]*[)*](--[a-z]+)"), in_help);
+    EXPECT_EQ(matches(run(folder, "mesh-gen --completion fish | sed 's/ -l / --/'").out, " (--[a-z]+)"), in_help);
 }
 
 TEST(Help, ShowsTwoExamplesAndEveryExitCode) {
@@ -61,6 +63,19 @@ TEST(Completion, CompletesOptionsFamiliesAndFiles) {
     EXPECT_EQ(complete("mesh-gen --expl", 1), "--explain\n");
     EXPECT_EQ(complete("mesh-gen --template tu", 2), "tube\n");
     EXPECT_EQ(complete("mesh-gen some", 1), "some-design.yaml\n");
+    if (run(folder, "type fish zsh").code != 0) GTEST_SKIP() << "fish or zsh is not installed";
+    const auto fish = [&](const std::string& line) {
+        return run(folder, "mesh-gen --completion fish > c.fish; fish -c 'source c.fish; complete -C \"" + line +
+                               "\"' | cut -f 1")
+            .out;
+    };
+    EXPECT_EQ(fish("mesh-gen --expl"), "--explain\n");
+    EXPECT_EQ(fish("mesh-gen --template tu"), "tube\n");
+    EXPECT_EQ(fish("mesh-gen some"), "some-design.yaml\n");
+    // _arguments is defined inside the completion system of an interactive zsh; here it prints its arguments.
+    const std::string zsh =
+        run(folder, "mesh-gen --completion zsh > c.zsh; zsh -fc '_arguments() { print -l -- $@ }; . ./c.zsh'").out;
+    EXPECT_TRUE(contains(zsh, "\n(-o --output)--output=[Write to FILE instead of stdout (-)]:FILE:_files\n"));
 }
 
 TEST(Version, IsTextOrJson) {

@@ -121,6 +121,8 @@ setup --tests
 claim "--tests installs packages of the tests" called '^apt-get .* chromium$'
 fresh_system; rm "$bin/chromium"; remove chromium; touch "$state/apt-fails"; setup --tests
 claim "a package of the tests that cannot be installed is a warning" says 'warning: chromium could not be installed'
+fresh_system; remove dpkg-dev; rm -f "$bin/dpkg-shlibdeps"; setup --package
+claim "--package installs dpkg-dev" called '^apt-get .* dpkg-dev$'
 fresh_system; remove mkdocs; setup --docs
 claim "--docs installs mkdocs" called '^apt-get .* mkdocs$'
 claim "--docs does not configure" not called '^cmake'
