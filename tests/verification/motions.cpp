@@ -1,4 +1,5 @@
-// Dynamics: period and damping of a beam, a sphere in its breathing mode, and the quasi-static limit of the bellows.
+// Dynamics: period and damping of a beam, a sphere in its breathing mode, natural frequencies of both, and the quasi-static limit of the
+// bellows.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -75,6 +76,58 @@ Outcome solve_cantilever() {
         "Timoshenko's beam, E' = 4 mu of incompressible plane strain", 2.0 * std::numbers::pi / frequency);
     add("damping ratio by the logarithmic decrement [-]", rayleigh, "Rayleigh, a / 2w + b w / 2 at Timoshenko's w",
         zeta);
+    const auto still =
+        run_design("verification/cantilever.yaml",
+                   {"dynamics={}", "path={frequencies: 1}", "loads.gravity={acceleration: 15e-6 m/s^2, along: y}"});
+    const double natural = still.steps.back().frequencies_Hz[0];
+    add("first natural frequency [Hz]", theory / (2.0 * std::numbers::pi),
+        "Timoshenko's beam, E' = 4 mu of incompressible plane strain", natural);
+    add("first natural frequency, against the vibration [Hz]", frequency / (2.0 * std::numbers::pi),
+        "the free vibration of the same mesh, undamped", natural);
+    return outcome;
+}
+
+/// At constant pressure, linearised equation of motion of an incompressible sphere (../dynamics/breathing_sphere.hpp):
+///   (2 pi f)^2 = p'(l) / (rho A a (1 - a / b)),     a = l A, b^3 = B^3 + a^3 - A^3, p the static pressure at the inner stretch l.
+/// Beyond the pressure maximum p' < 0, and f stands for -|f|.
+double breathing_frequency_Hz(const dynamics::BreathingSphere& sphere, double mu_Pa, double stretch) {
+    constexpr double step = 1e-4;
+    const auto pressure = [&](double l) {
+        return neo_hookean_sphere_pressure_Pa(mu_Pa, l, sphere.outer_m / sphere.inner_m);
+    };
+    const double slope = (pressure(stretch + step) - pressure(stretch - step)) / (2.0 * step);
+    const double A = sphere.inner_m, B = sphere.outer_m, a = stretch * A;
+    const double b = std::cbrt(B * B * B + a * a * a - A * A * A);
+    const double square = slope / (sphere.density_kg_m3 * A * a * (1.0 - a / b));
+    return std::copysign(std::sqrt(std::abs(square)), square) / (2.0 * std::numbers::pi);
+}
+
+/// The other frequencies belong to modes that change the shape of the sphere.
+Outcome solve_breathing_frequency() {
+    const auto run =
+        run_design("verification/sphere-neo-hookean.yaml", {"material.density=1080 kg/m^3", "path.frequencies=6"});
+    const double mu = run.model.materials.front().constants.at("mu").front();
+    const dynamics::BreathingSphere sphere{10e-3, 20e-3, *run.model.materials.front().density_kg_m3};
+    Outcome outcome;
+    const auto add = [&](const std::string& where, const solution::Step& step) {
+        const double stretch = std::cbrt(*step.volume_m3 / *run.steps.front().volume_m3);
+        const double exact = breathing_frequency_Hz(sphere, mu, stretch);
+        outcome.rows.push_back(
+            {.quantity = "natural frequency " + where + " [Hz]",
+             .reference = exact,
+             .source = "linearised equation of motion of an incompressible sphere",
+             .ours = *std::ranges::min_element(step.frequencies_Hz, {}, [&](double f) { return std::abs(f - exact); }),
+             .mesh = run.mesh,
+             .seconds = run.seconds});
+    };
+    const auto beyond = [&](double stretch) -> const solution::Step& {
+        const double volume_m3 = stretch * stretch * stretch * *run.steps.front().volume_m3;
+        return *std::ranges::find_if(run.steps, [&](const auto& step) { return *step.volume_m3 > volume_m3; });
+    };
+    add("at rest", run.steps.front());
+    add("in the first row above a/A = 1.4", beyond(1.4));
+    add("in the first row above a/A = 2, past the pressure maximum", beyond(2.0));
+    add("at a/A = 3, past the pressure maximum", run.steps.back());
     return outcome;
 }
 
@@ -161,6 +214,7 @@ Outcome solve_slow_bellows() {
 std::vector<Problem> motion_problems() {
     return {{group, "cantilever, free vibration", solve_cantilever},
             {group, "sphere B/A = 2, breathing", solve_sphere},
+            {group, "sphere B/A = 2, natural frequency of the breathing mode", solve_breathing_frequency},
             {group, "bellows, inflated slowly", solve_slow_bellows}};
 }
 
