@@ -10,6 +10,7 @@ namespace soft::fields {
 void EnergyBalance::add(const solution::Step& row) {
     const int index = rows_++;
     if (!row.motion && !row.energies) return;
+    if (first_ && !row.motion && std::abs(row.max_stretch - 1.0) < min_strain) return;
     moves_ = row.motion.has_value();
     const Energies now = moves_ ? Energies{row.motion->load_work_J, row.motion->stored_energy_J,
                                            row.motion->kinetic_energy_J, row.motion->damping_work_J}

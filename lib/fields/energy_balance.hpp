@@ -12,6 +12,9 @@ namespace soft::fields {
 
 /// A larger error means that the rows are wrong or too coarse.
 inline constexpr double max_energy_error = 0.01;
+/// Of |largest stretch - 1|: rows of a static path below it are not compared. The deformation gradient has rounding errors of 2e-16, so
+/// that which fibres are taut, and the stress of the others to a percent, may be rounding there.
+inline constexpr double min_strain = 1e-10;
 
 class EnergyBalance {
 public:

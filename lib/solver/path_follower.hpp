@@ -154,6 +154,8 @@ private:
     };
     /// To the accuracy of the path (step_accuracy) where the law has an energy, through as many intermediate states as necessary.
     [[nodiscard]] double work_of_step(PathPoint& from, PathPoint& to);
+    /// True if the loads have done other work than the rubber has stored: `to` lies on another equilibrium path than `from`.
+    [[nodiscard]] bool breaks_energy_balance(PathPoint& from, PathPoint& to);
     [[nodiscard]] double refined_work(const PathPoint& from, const PathPoint& to, const WorkInterval& interval,
                                       double wanted_J, int halvings_left);
     [[nodiscard]] double stored_energy_of(PathPoint& point);

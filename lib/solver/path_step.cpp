@@ -204,6 +204,8 @@ void PathFollower::advance() {
         rejected_error_ = error.state;
         return handle_failure();
     }
+    if (system_.has_fibers() && failures_ < failures_before_kink && breaks_energy_balance(*last_, *point))
+        return handle_failure();
     double missed = std::max(error.state, load_share * error.load);
     if (is_too_long(aimed, missed, point->q - last_->q)) return;
     if (error.is_negligible) missed = std::min(missed, accepted_share * settings_.step_accuracy);

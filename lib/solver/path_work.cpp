@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/cavity_surface.hpp"
 #include "solver/path_follower.hpp"
 
 namespace soft::solver {
@@ -14,6 +15,10 @@ constexpr double flat_energy = 0.1;
 /// error of the quadrature.
 constexpr double falling = 0.7;
 constexpr int halvings = 7;
+/// Of the larger of both energies: half of what ends a solve with an error (fields/energy_balance.hpp).
+constexpr double energy_jump = 0.005;
+/// Mean displacement over the extent of the part below which rounding decides which fibres are taut.
+constexpr double rounding_strain = 1e-10;
 
 }  // namespace
 
@@ -38,6 +43,14 @@ double PathFollower::work_of_step(PathPoint& from, PathPoint& to) {
     newton_result_ = result;
     newton_.confirm_pivots(pivots);
     return refined_J;
+}
+
+bool PathFollower::breaks_energy_balance(PathPoint& from, PathPoint& to) {
+    const double mean_m = linalg::norm(to.state.x) / std::sqrt(static_cast<double>(system_.dofs().total));
+    if (!system_.has_symmetric_tangent() || mean_m < rounding_strain * model::extent_m(input_.mesh)) return false;
+    to.step_work_J = work_of_step(from, to);
+    const double from_J = stored_energy_of(from), to_J = stored_energy_of(to);
+    return std::abs(*to.step_work_J - (to_J - from_J)) > energy_jump * std::max(from_J, to_J);
 }
 
 /// Recursively bisects the interval at its equilibrium state in the middle.
