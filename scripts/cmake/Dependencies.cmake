@@ -3,10 +3,10 @@
 find_package(PkgConfig REQUIRED)
 find_package(MPI REQUIRED COMPONENTS C)
 find_package(yaml-cpp REQUIRED)
-if(PROJECT_NAME STREQUAL soft-actuator)   # for the tools only
+if(PROJECT_NAME STREQUAL soft-actuator)   # not needed by users of the library
   find_package(CLI11 REQUIRED)
+  find_package(nlohmann_json 3.11 REQUIRED)
 endif()
-find_package(nlohmann_json 3.11 REQUIRED)
 pkg_check_modules(NETTLE REQUIRED IMPORTED_TARGET nettle)
 
 # PETSc: only includes and libraries are used, because its pkg-config flags contain the hardening flags of the distribution.
