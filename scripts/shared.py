@@ -1,9 +1,5 @@
 """Shared by the Python scripts of this folder: command line, messages and the programs of the build."""
-import os
-import resource
-import shutil
-import subprocess
-import sys
+import csv, os, resource, shutil, subprocess, sys
 from types import SimpleNamespace
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -77,3 +73,9 @@ def children_cpu():
     """User and system seconds of the ended child processes."""
     usage = resource.getrusage(resource.RUSAGE_CHILDREN)
     return usage.ru_utime + usage.ru_stime
+
+
+def curve(result, *at):
+    """Columns of a curve by name, at all steps or, with `--at ...`, at the given values."""
+    rows = list(csv.DictReader(run("postprocess", result, "--quiet", *at, stdout=subprocess.PIPE, text=True).stdout.splitlines()))
+    return {name: [float(row[name] or 0) for row in rows] for name in rows[0]}
