@@ -1,5 +1,5 @@
 """Shared by the Python scripts of this folder: command line, messages and the programs of the build."""
-import csv, os, resource, shutil, subprocess, sys
+import csv, os, resource, shutil, signal, subprocess, sys
 from types import SimpleNamespace
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -29,6 +29,7 @@ def parse(help_text, **defaults):
     for word in words:
         name = word[2:].replace("-", "_")
         if word in ("--help", "-h"):
+            signal.signal(signal.SIGPIPE, signal.SIG_DFL)   # no message if `head` has closed the pipe
             print(help_text)
             sys.exit(0)
         elif word == "--":
