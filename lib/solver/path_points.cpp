@@ -32,9 +32,7 @@ void PathFollower::rescale(PathPoint& point, double factor) {
 /// Writes a row and sets its work.
 void PathFollower::append(PathPoint& point) {
     if (&point != &*last_)
-        point.load_work_J =
-            last_->load_work_J +
-            (point.step_work_J && point.work_row == rows_ ? *point.step_work_J : work_of_step(*last_, point));
+        point.load_work_J = last_->load_work_J + (point.step_work_J ? *point.step_work_J : work_of_step(*last_, point));
     const double direction = step_ < 0.0 ? -1.0 : 1.0;  // tangents point in the direction of travel
     solution::Step step = step_of(system_, point, direction);
     step.stage = stage_;

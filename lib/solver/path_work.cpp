@@ -49,7 +49,6 @@ bool PathFollower::breaks_energy_balance(PathPoint& from, PathPoint& to) {
     const double mean_m = linalg::norm(to.state.x) / std::sqrt(static_cast<double>(system_.dofs().total));
     if (!system_.has_symmetric_tangent() || mean_m < rounding_strain * model::extent_m(input_.mesh)) return false;
     to.step_work_J = work_of_step(from, to);
-    to.work_row = rows_;  // no longer the step of the row if events become rows before it
     const double from_J = stored_energy_of(from), to_J = stored_energy_of(to);
     return std::abs(*to.step_work_J - (to_J - from_J)) > energy_jump * std::max(from_J, to_J);
 }
