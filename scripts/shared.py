@@ -1,5 +1,11 @@
 """Shared by the Python scripts of this folder: command line, messages and the programs of the build."""
-import csv, os, resource, shutil, signal, subprocess, sys
+import csv
+import os
+import resource
+import shutil
+import signal
+import subprocess
+import sys
 from types import SimpleNamespace
 
 HERE = os.path.dirname(os.path.abspath(__file__))
