@@ -5,8 +5,8 @@
 #include <array>
 #include <memory>
 
+#include "contact/contact.hpp"
 #include "linalg/profile.hpp"
-#include "surface/contact.hpp"
 
 namespace soft::cli {
 namespace {
@@ -17,7 +17,7 @@ std::optional<solver::ContactEvent> from_first_rank(const std::optional<solver::
     if (found) head = {static_cast<int>(found->text.size()), static_cast<int>(found->reason)};
     MPI_Bcast(head.data(), 2, MPI_INT, 0, comm);
     if (head[0] < 0) return std::nullopt;
-    solver::ContactEvent event{found ? found->text : "", static_cast<solution::StopReason>(head[1])};
+    solver::ContactEvent event{found ? found->text : "", static_cast<model::StopReason>(head[1])};
     event.text.resize(static_cast<std::size_t>(head[0]));
     MPI_Bcast(event.text.data(), head[0], MPI_CHAR, 0, comm);
     return event;
@@ -25,20 +25,20 @@ std::optional<solver::ContactEvent> from_first_rank(const std::optional<solver::
 
 }  // namespace
 
-solver::ContactCheck contact_check(assembly::System& system) {
+solver::ContactCheck contact_check(fem::System& system) {
     if (system.input().path.contact == model::Contact::ignore) return {};
     int rank = 0;
     MPI_Comm_rank(system.comm(), &rank);
     // std::function copies its captures, and a ContactFinder cannot be copied: hence the shared_ptr.
-    const auto finder = rank == 0 ? std::make_shared<const surface::ContactFinder>(system.input()) : nullptr;
+    const auto finder = rank == 0 ? std::make_shared<const contact::ContactFinder>(system.input()) : nullptr;
     return [&system, finder](Vec x) {
         const auto fields = system.gather_fields(x);
         std::optional<solver::ContactEvent> found;
         const linalg::ScopedTimer timed(linalg::Phase::contact);
         if (finder)
             if (auto contact = finder->find(fields.displacement_m))
-                found = {std::move(contact->text), contact->is_inverted ? solution::StopReason::inverted_element
-                                                                        : solution::StopReason::self_contact};
+                found = {std::move(contact->text),
+                         contact->is_inverted ? model::StopReason::inverted_element : model::StopReason::self_contact};
         return from_first_rank(found, system.comm());
     };
 }

@@ -125,8 +125,8 @@ void apply(const Words& words, FitOptions& options) {
     options.reading.range = range_of(words.range);
     options.reading.specimen = specimen_of(words);
     options.reading.format.delimiter = delimiter_of(words.delimiter);
-    if (words.decimal == "point") options.reading.format.decimal = table::Decimal::point;
-    if (words.decimal == "comma") options.reading.format.decimal = table::Decimal::comma;
+    if (words.decimal == "point") options.reading.format.decimal = core::Decimal::point;
+    if (words.decimal == "comma") options.reading.format.decimal = core::Decimal::comma;
     if (words.any_order) options.reading.order = fit::RowOrder::points;
     if (words.strain == "engineering") options.reading.strain_measure = fit::StrainMeasure::engineering;
     if (words.strain == "true") options.reading.strain_measure = fit::StrainMeasure::logarithmic;

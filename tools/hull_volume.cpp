@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "cli.hpp"
+#include "core/table.hpp"
 #include "core/text.hpp"
 #include "library_versions.hpp"
 #include "surface/hull.hpp"
-#include "table/table.hpp"
 
 namespace {
 
@@ -40,18 +40,18 @@ std::optional<HullOptions> parse_hull_options(int argc, char** argv) {
     return options;
 }
 
-std::vector<double> lengths_m(const table::Table& points, const std::string& quantity) {
-    const auto found = std::ranges::find(points.headings, quantity, &table::Heading::quantity);
-    if (found == points.headings.end() || table::dimension_of(found->unit) != core::Dimension::length)
+std::vector<double> lengths_m(const core::Table& points, const std::string& quantity) {
+    const auto found = std::ranges::find(points.headings, quantity, &core::Heading::quantity);
+    if (found == points.headings.end() || core::dimension_of(found->unit) != core::Dimension::length)
         throw Error(ExitCode::bad_input, points.source, "there is no column " + quantity + " with a length unit",
                     "use the header x_mm,y_mm,z_mm");
-    return table::values_SI(points, static_cast<std::size_t>(found - points.headings.begin()), found->unit,
-                            core::Dimension::length);
+    return core::values_SI(points, static_cast<std::size_t>(found - points.headings.begin()), found->unit,
+                           core::Dimension::length);
 }
 
 ExitCode hull_volume(const HullOptions& options) {
     const cli::Input input = cli::read_input(options.input, cli::max_table_bytes);
-    const table::Table table = table::read_table(input.text(), input.source);
+    const core::Table table = core::read_table(input.text(), input.source);
     const std::array columns{lengths_m(table, "x"), lengths_m(table, "y"), lengths_m(table, "z")};
     std::vector<mesh::Point> points;
     for (std::size_t row = 0; row < columns[0].size(); ++row)

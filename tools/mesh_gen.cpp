@@ -14,12 +14,12 @@
 #include "io/case_file.hpp"
 #include "mesh_gen_options.hpp"
 #include "mesh_summary.hpp"
+#include "meshing/body_surface.hpp"
+#include "meshing/fine_triangles.hpp"
 #include "meshing/part_file.hpp"
+#include "meshing/surface_file.hpp"
 #include "model/cavity_surface.hpp"
 #include "part_description.hpp"
-#include "surface/body_surface.hpp"
-#include "surface/fine_triangles.hpp"
-#include "surface/surface_file.hpp"
 
 namespace {
 
@@ -50,9 +50,9 @@ std::string write_surface(const model::Case& model, const std::string& file) {
                     "use --set model=solid");
     // 0.01 mm for a bellows of 100 mm: relative error of radii and volume below 0.03 %.
     constexpr double share_of_extent = 1e-4;
-    const surface::Triangles triangles = surface::fine_triangles(model.mesh, mesh::boundary_facets(model.mesh),
+    const surface::Triangles triangles = meshing::fine_triangles(model.mesh, mesh::boundary_facets(model.mesh),
                                                                  share_of_extent * model::extent_m(model.mesh));
-    cli::write_output(file, surface::surface_file(triangles, file), cli::Content::binary);
+    cli::write_output(file, meshing::surface_file(triangles, file), cli::Content::binary);
     std::string line = file + ": " + std::to_string(triangles.triangles.size()) + " triangles";
     if (model.model_fraction < 1)
         line += " around 1/" + core::rounded_text(1 / model.model_fraction, 3) +
@@ -113,7 +113,7 @@ ExitCode describe(const cli::MeshGenOptions& options) {
     const bool cad = meshing::is_cad_file(file);
     const std::string unit = cad ? "" : unit_of(options);
     const meshing::Part part = meshing::read_part(file, unit, cad ? 1 : geometry::file_unit_m(unit));
-    const cli::PartDescription description{file, unit, part.surface, surface::part_faces(part.surface)};
+    const cli::PartDescription description{file, unit, part.surface, meshing::part_faces(part.surface)};
     if (const std::string warning = cli::unit_warning(description); !warning.empty()) console.warn(warning);
     if (!options.picture.empty()) cli::write_output(options.picture, cli::numbered_faces_svg(description));
     cli::write_output(options.common.output, cli::description_yaml(description));
@@ -151,8 +151,8 @@ ExitCode run_task(const cli::MeshGenOptions& options) {
         case cli::Task::explain:
         case cli::Task::check: break;
         case cli::Task::surface:
-            if (!surface::is_surface_file(options.surface))
-                throw surface::surface_format_error(options.surface);  // before meshing
+            if (!meshing::is_surface_file(options.surface))
+                throw meshing::surface_format_error(options.surface);  // before meshing
             break;
         case cli::Task::build: cli::check_output(output, cli::Content::binary); break;
     }

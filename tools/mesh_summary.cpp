@@ -62,13 +62,13 @@ std::string cell_type_names(const mesh::Mesh& mesh) {
     return core::join(names);
 }
 
-surface::WallStatistics walls_of(const model::Case& model) {
+meshing::WallStatistics walls_of(const model::Case& model) {
     const surface::Triangles surface = surface::facet_triangles(model.mesh, boundary_facets(model.mesh));
-    std::vector<surface::Wall> walls = surface::walls(surface.points, surface.triangles);
-    return walls.empty() ? surface::WallStatistics{} : surface::wall_statistics(std::move(walls));
+    std::vector<meshing::Wall> walls = meshing::walls(surface.points, surface.triangles);
+    return walls.empty() ? meshing::WallStatistics{} : meshing::wall_statistics(std::move(walls));
 }
 
-nlohmann::ordered_json walls_json(const surface::WallStatistics& walls) {
+nlohmann::ordered_json walls_json(const meshing::WallStatistics& walls) {
     return {
         {"min_m", walls.thinnest.thickness_m}, {"min_place_m", walls.thinnest.location}, {"median_m", walls.median_m}};
 }
@@ -86,7 +86,7 @@ std::string corners_line(const mesh::ReentrantCorners& corners) {
 }
 
 std::string part_line(const MeshSummary::Part& part, double volume_m3) {
-    const surface::WallStatistics &before = part.file.walls, &after = part.walls;
+    const meshing::WallStatistics &before = part.file.walls, &after = part.walls;
     return part.file.file + ": " + std::to_string(part.file.facets) + " facets; volume " +
            volume_text(part.file.volume_m3) + ", of the mesh " + volume_text(volume_m3) + " (" +
            core::rounded_text(100 * (volume_m3 / part.file.volume_m3 - 1), 2) + " %); wall thickness at least " +

@@ -28,7 +28,7 @@ struct MeshSummary {
     /// For a part imported as a surface: figures of the file, and the wall thickness of the mesh for comparison.
     struct Part {
         geometry::PartFigures file;
-        surface::WallStatistics walls;
+        meshing::WallStatistics walls;
     };
     std::optional<Part> part;
     std::vector<std::string> notes;  ///< how a drawn outline was interpreted

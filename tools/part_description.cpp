@@ -14,8 +14,7 @@ namespace soft::cli {
 namespace {
 
 using mesh::Point;
-using surface::cross, surface::dot;
-using surface::PartFace;
+using meshing::PartFace;
 
 constexpr double mm = 1e3;
 constexpr const char* components = "xyz";
@@ -45,7 +44,7 @@ std::string direction_text(const Point& direction) {
     return "[" + number(direction[0], 4) + ", " + number(direction[1], 4) + ", " + number(direction[2], 4) + "]";
 }
 
-std::string rule_text(const surface::FaceRule& rule) {
+std::string rule_text(const meshing::FaceRule& rule) {
     std::vector<std::string> parts;
     if (rule.plane)
         parts.push_back(std::string{"plane: {"} + components[rule.plane->component] + ": " +
@@ -71,7 +70,7 @@ std::string shape_text(const PartFace& face) {
     return "curved";
 }
 
-std::array<Point, 2> box_of(const surface::BodySurface& surface) {
+std::array<Point, 2> box_of(const meshing::BodySurface& surface) {
     std::array<Point, 2> box;
     for (std::size_t d = 0; d < 3; ++d) {
         const auto [low, high] = std::ranges::minmax(surface.points, {}, [d](const Point& p) { return p[d]; });
@@ -83,13 +82,13 @@ std::array<Point, 2> box_of(const surface::BodySurface& surface) {
 
 /// Axes of a parallel projection: right, up, and towards the viewer.
 struct View {
-    surface::Vector right, up, eye;
+    Vector3 right, up, eye;
 };
 
-View view_from(const surface::Vector& eye) {
-    const double flat = std::hypot(eye[0], eye[1]), size = surface::norm(eye);
-    const surface::Vector right{-eye[1] / flat, eye[0] / flat, 0}, towards{eye[0] / size, eye[1] / size, eye[2] / size};
-    return {right, surface::cross(towards, right), towards};
+View view_from(const Vector3& eye) {
+    const double flat = std::hypot(eye[0], eye[1]), size = norm(eye);
+    const Vector3 right{-eye[1] / flat, eye[0] / flat, 0}, towards{eye[0] / size, eye[1] / size, eye[2] / size};
+    return {right, cross(towards, right), towards};
 }
 
 struct Patch {
@@ -101,11 +100,9 @@ struct Patch {
 void divide(const Patch& patch, double longest_m, std::vector<Patch>& all) {
     for (std::size_t k = 0; k < 3; ++k) {
         const Point &a = patch.corners[k], &b = patch.corners[(k + 1) % 3], &c = patch.corners[(k + 2) % 3];
-        const double side = surface::norm(surface::along(b, -1, a));
-        if (side <= longest_m || side < surface::norm(surface::along(c, -1, b)) ||
-            side < surface::norm(surface::along(a, -1, c)))
-            continue;
-        const Point middle = surface::along(a, 0.5, surface::along(b, -1, a));
+        const double side = norm(along(b, -1, a));
+        if (side <= longest_m || side < norm(along(c, -1, b)) || side < norm(along(a, -1, c))) continue;
+        const Point middle = along(a, 0.5, along(b, -1, a));
         divide({{a, middle, c}, patch.face}, longest_m, all);
         divide({{middle, b, c}, patch.face}, longest_m, all);
         return;
@@ -169,10 +166,10 @@ bool contains_point(const std::array<std::array<double, 2>, 3>& corners, const s
 std::string drawn(const PartDescription& part, const View& view, std::array<double, 2> middle) {
     constexpr double width_px = 360;
     const auto [low, high] = box_of(part.surface);
-    const Point centre = surface::along(low, 0.5, surface::along(high, -1, low));
-    const double scale = width_px / surface::norm(surface::along(high, -1, low));
+    const Point centre = along(low, 0.5, along(high, -1, low));
+    const double scale = width_px / norm(along(high, -1, low));
     const auto project = [&](const Point& p) {
-        const surface::Vector from = surface::along(p, -1, centre);
+        const Vector3 from = along(p, -1, centre);
         return std::array{middle[0] + scale * dot(from, view.right), middle[1] - scale * dot(from, view.up),
                           dot(from, view.eye)};
     };
@@ -184,8 +181,8 @@ std::string drawn(const PartDescription& part, const View& view, std::array<doub
     std::vector<Drawn> order;
     for (const Patch& patch : all) {
         const auto& [a, b, c] = patch.corners;
-        const surface::Vector normal = cross(surface::along(b, -1, a), surface::along(c, -1, a));
-        const double facing = dot(normal, view.eye) / surface::norm(normal);
+        const Vector3 normal = cross(along(b, -1, a), along(c, -1, a));
+        const double facing = dot(normal, view.eye) / norm(normal);
         if (facing > 0) order.push_back({project(a)[2] + project(b)[2] + project(c)[2], facing, &patch});
     }
     std::ranges::stable_sort(order, {}, &Drawn::depth);

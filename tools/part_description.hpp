@@ -3,16 +3,16 @@
 #include <string>
 #include <vector>
 
+#include "meshing/part_faces.hpp"
 #include "meshing/part_file.hpp"
-#include "surface/part_faces.hpp"
 
 namespace soft::cli {
 
 struct PartDescription {
     std::string file;  ///< as given by the user
     std::string unit;  ///< length unit of an STL or OBJ file; empty: the file states its unit
-    const surface::BodySurface& surface;
-    std::vector<surface::PartFace> faces;
+    const meshing::BodySurface& surface;
+    std::vector<meshing::PartFace> faces;
 };
 
 /// Bounding box, volume and closed cavities as comments; `family: imported` with a rule for each face that a single rule can select.

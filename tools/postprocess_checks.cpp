@@ -4,11 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include "cli.hpp"
+#include "core/table.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "post/golden.hpp"
 #include "post/junit.hpp"
-#include "table/table.hpp"
 
 namespace soft {
 namespace {
@@ -54,7 +54,7 @@ void check_golden_table(const CheckOptions& options, const post::Curve& curve, C
     if (relative < 0) throw Error(ExitCode::usage, "--rtol", core::quoted(options.rtol) + " is negative");
     post::Tolerance tolerance{relative, {}};
     for (const std::string& text : options.atol) tolerance.absolute.push_back(post::parse_allowance(text, curve));
-    const table::Table golden = read_csv(options.file);
+    const core::Table golden = read_csv(options.file);
     const post::Verdict verdict = post::check_golden(curve, golden, tolerance);
     for (const post::ColumnVerdict& column : verdict.columns)
         checks.claims.push_back({column.name + " agrees", post::failure_text(verdict, column, golden)});
@@ -77,9 +77,9 @@ void check_golden_table(const CheckOptions& options, const post::Curve& curve, C
 
 }  // namespace
 
-table::Table read_csv(const std::string& file) {
+core::Table read_csv(const std::string& file) {
     const cli::Input input = cli::read_input(file, cli::max_table_bytes);
-    return table::read_table(input.text(), input.source);
+    return core::read_table(input.text(), input.source);
 }
 
 std::optional<Comparison> compare(const CompareOptions& options, const post::Curve& curve) {

@@ -12,7 +12,7 @@
 namespace soft {
 
 /// Reads a CSV file given by the user.
-[[nodiscard]] table::Table read_csv(const std::string& file);
+[[nodiscard]] core::Table read_csv(const std::string& file);
 
 /// Measured data of --compare and their errors relative to the path.
 struct Comparison {

@@ -5,7 +5,7 @@
 #include "core/text.hpp"
 #include "library_versions.hpp"
 #include "post/plot.hpp"
-#include "report/report.hpp"
+#include "view/report.hpp"
 
 namespace soft {
 namespace {
@@ -169,7 +169,7 @@ std::optional<PostprocessOptions> parse_postprocess_options(int argc, char** arg
                                                            0;
     check_files(options);
     if (!options.plot.file.empty()) static_cast<void>(post::picture_format(options.plot.file));  // before any work
-    if (!options.report.empty()) report::require_viewer();
+    if (!options.report.empty()) view::require_viewer();
     return options;
 }
 

@@ -4,8 +4,8 @@
 #include <set>
 
 #include "core/text.hpp"
-#include "fields/arrays.hpp"
 #include "io/vtk_fields.hpp"
+#include "post/arrays.hpp"
 #include "postprocess_pictures.hpp"
 #include "view/numbered_files.hpp"
 #include "view/vtu.hpp"
@@ -18,21 +18,21 @@ namespace fs = std::filesystem;
 class Exporter {
 public:
     explicit Exporter(const PictureInput& shown)
-        : shown_(shown), places_(fields::make_region_points(shown.result.model.mesh)) {}
+        : shown_(shown), places_(post::make_region_points(shown.result.model.mesh)) {}
 
     void vtu(std::int64_t row, const fs::path& file) const {
         const Step step(*this, row);
         cli::write_output(file.string(), view::vtu_text(model().mesh, places_,
-                                                        fields::node_arrays(model(), places_, step.state, step.fields),
-                                                        fields::state_arrays(model(), step.fields.cells)));
+                                                        post::node_arrays(model(), places_, step.state, step.fields),
+                                                        post::state_arrays(model(), step.fields.cells)));
     }
 
     /// The mesh in the copy has one value per point, so points on material interfaces get the mean of both sides.
     void copy(std::int64_t row, const fs::path& file) const {
         const Step step(*this, row);
         const auto bytes = io::with_vtk_fields(shown_.image, "the result",
-                                               fields::mesh_point_arrays(model(), places_, step.state, step.fields),
-                                               fields::state_arrays(model(), step.fields.cells));
+                                               post::mesh_point_arrays(model(), places_, step.state, step.fields),
+                                               post::state_arrays(model(), step.fields.cells));
         cli::write_output(file.string(), bytes, cli::Content::binary);
     }
 
@@ -87,13 +87,13 @@ public:
 private:
     struct Step {
         io::FieldReader::Values values;
-        fields::NodalState state;
-        fields::StepFields fields;
+        post::NodalState state;
+        post::StepFields fields;
 
         Step(const Exporter& exporter, std::int64_t row)
             : values(stored_fields(exporter.shown_.result, row)),
               state{values.displacement_m, values.pressure_Pa},
-              fields(fields::step_fields(exporter.model(), exporter.places_, state)) {}
+              fields(post::step_fields(exporter.model(), exporter.places_, state)) {}
         Step(const Step&) = delete;  // `state` refers to `values`
         Step& operator=(const Step&) = delete;
     };
@@ -101,7 +101,7 @@ private:
     [[nodiscard]] const model::Case& model() const { return shown_.result.model; }
 
     const PictureInput& shown_;
-    fields::RegionPoints places_;
+    post::RegionPoints places_;
 };
 
 }  // namespace

@@ -9,8 +9,8 @@
 
 #include "core/text.hpp"
 #include "core/units.hpp"
-#include "fields/quantity.hpp"
 #include "post/interpolate.hpp"
+#include "post/quantity.hpp"
 #include "view/animation.hpp"
 #include "view/picture.hpp"
 
@@ -24,23 +24,23 @@ constexpr int smooth_segments = 8, smooth_sectors = 120;  // appears smooth at 1
 
 std::string field_names() {
     std::vector<std::string> names;
-    for (const fields::QuantityInfo& quantity : fields::quantities()) names.emplace_back(quantity.name);
+    for (const post::QuantityInfo& quantity : post::quantities()) names.emplace_back(quantity.name);
     return core::join(names);
 }
 
-core::Dimension dimension_of(fields::Quantity quantity) {
+core::Dimension dimension_of(post::Quantity quantity) {
     switch (quantity) {
-        case fields::Quantity::von_mises:
-        case fields::Quantity::pressure:
-        case fields::Quantity::energy: return core::Dimension::pressure;  // J/m^3 = Pa
-        case fields::Quantity::displacement: return core::Dimension::length;
-        case fields::Quantity::stretch:
-        case fields::Quantity::jacobian: break;
+        case post::Quantity::von_mises:
+        case post::Quantity::pressure:
+        case post::Quantity::energy: return core::Dimension::pressure;  // J/m^3 = Pa
+        case post::Quantity::displacement: return core::Dimension::length;
+        case post::Quantity::stretch:
+        case post::Quantity::jacobian: break;
     }
     return core::Dimension::ratio;
 }
 
-std::optional<view::Range> range_of(const PictureOptions& options, fields::Quantity quantity) {
+std::optional<view::Range> range_of(const PictureOptions& options, post::Quantity quantity) {
     if (options.range.empty()) return std::nullopt;
     const auto comma = options.range.find(',');
     if (comma == std::string::npos)
@@ -68,7 +68,7 @@ std::string default_view(const model::Case& model) {
 
 view::PictureStyle look_of(const PictureOptions& options, const model::Case& model) {
     view::PictureStyle look;
-    look.quantity = fields::quantity_from_name(options.field);
+    look.quantity = post::quantity_from_name(options.field);
     const bool flat = options.section || model.kinematics == model::Kinematics::plane_strain;
     look.camera = view::camera_from_text(!options.view.empty() ? options.view : flat ? "front" : default_view(model));
     look.range = range_of(options, look.quantity);
@@ -167,7 +167,7 @@ public:
     PictureRenderer(const PictureOptions& options, const PictureInput& shown)
         : shown_(shown),
           look_(look_of(options, shown.result.model)),
-          places_(fields::make_region_points(shown.result.model.mesh)),
+          places_(post::make_region_points(shown.result.model.mesh)),
           skin_(view::make_skin(shown.result.model, places_, skin_options(options))),
           body_{skin_, view::base_positions(skin_, shown.result.model, places_, {})} {}
 
@@ -175,9 +175,9 @@ public:
 
     [[nodiscard]] view::Shot shot(const io::FieldReader::Values& values, std::span<const std::string> words) const {
         const model::Case& model = shown_.result.model;
-        const fields::NodalState state{values.displacement_m, values.pressure_Pa};
+        const post::NodalState state{values.displacement_m, values.pressure_Pa};
         const auto nodal =
-            fields::nodal_values(look_.quantity, model, places_, state, fields::step_fields(model, places_, state));
+            post::nodal_values(look_.quantity, model, places_, state, post::step_fields(model, places_, state));
         return {view::base_positions(skin_, model, places_, values.displacement_m), view::base_values(skin_, nodal),
                 title_of(shown_, words)};
     }
@@ -244,7 +244,7 @@ public:
 private:
     const PictureInput& shown_;
     view::PictureStyle look_;
-    fields::RegionPoints places_;
+    post::RegionPoints places_;
     view::Skin skin_;
     view::Body body_;
 };
@@ -347,7 +347,7 @@ void check_picture_options(const CLI::App& app, const PictureOptions& options) {
         throw Error(ExitCode::usage, "--section", "and --whole exclude each other", "use one of them");
     if (options.section && app.count("--view") > 0)
         throw Error(ExitCode::usage, "--section", "cannot be combined with --view: a section is drawn flat");
-    static_cast<void>(range_of(options, fields::quantity_from_name(options.field)));
+    static_cast<void>(range_of(options, post::quantity_from_name(options.field)));
     if (app.count("--view") > 0) static_cast<void>(view::camera_from_text(options.view));
     if (!options.picture.empty() && fs::path(options.picture).extension() != ".png")
         throw Error(ExitCode::usage, "--picture " + options.picture, "unknown extension; use .png");

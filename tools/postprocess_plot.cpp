@@ -22,14 +22,14 @@ post::PlotSeries read_other(const std::string& text) {
     cli::Input input = cli::read_hdf5_input(file);
     const io::Result other = io::read_result(std::move(input.bytes), input.source);
     if (label.empty()) label = other.model.name;
-    return {label, post::make_curve(other.model, other.steps), other.end.value_or(solution::PathEnd{})};
+    return {label, post::make_curve(other.model, other.steps), other.end.value_or(model::PathEnd{})};
 }
 
 }  // namespace
 
 std::vector<post::PlotSeries> plot_series(const PlotOptions& options, const io::Result& result,
                                           const post::Curve& curve) {
-    std::vector<post::PlotSeries> series = {{result.model.name, curve, result.end.value_or(solution::PathEnd{})}};
+    std::vector<post::PlotSeries> series = {{result.model.name, curve, result.end.value_or(model::PathEnd{})}};
     if (!options.band.empty()) series.front().band = post::read_band(read_csv(options.band), curve);
     for (const std::string& other : options.with) {
         series.push_back(read_other(other));

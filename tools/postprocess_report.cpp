@@ -1,10 +1,10 @@
 #include "postprocess_report.hpp"
 
-#include "report/report.hpp"
+#include "view/report.hpp"
 
 namespace soft {
 
-void write_report(const PostprocessOptions& options, report::Content content,
+void write_report(const PostprocessOptions& options, view::Content content,
                   const std::optional<Comparison>& comparison) {
     if (options.report.empty()) return;
     if (comparison) {
@@ -15,7 +15,7 @@ void write_report(const PostprocessOptions& options, report::Content content,
                     options.plot.colour};
     content.made_by = "postprocess " + std::string{cli::version()} + " (" + std::string{cli::revision()} +
                       "): " + options.common.command_line;
-    cli::write_output(options.report, report::make_report(content));
+    cli::write_output(options.report, view::make_report(content));
 }
 
 }  // namespace soft

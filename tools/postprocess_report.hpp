@@ -4,12 +4,12 @@
 
 #include "postprocess_checks.hpp"
 #include "postprocess_options.hpp"
-#include "report/report.hpp"
+#include "view/report.hpp"
 
 namespace soft {
 
 /// Does nothing without --report. Adds the comparison and the plot settings to `content`.
-void write_report(const PostprocessOptions& options, report::Content content,
+void write_report(const PostprocessOptions& options, view::Content content,
                   const std::optional<Comparison>& comparison);
 
 }  // namespace soft

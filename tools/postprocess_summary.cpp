@@ -12,7 +12,7 @@ namespace soft {
 namespace {
 
 /// Values of the curve at the point, keyed by column name.
-nlohmann::ordered_json location_json(const post::Curve& curve, const solution::LimitPoint& point) {
+nlohmann::ordered_json location_json(const post::Curve& curve, const model::LimitPoint& point) {
     nlohmann::ordered_json json = {{"step", point.step}};
     for (const post::Column& column : curve.columns)
         if (const auto value = post::value_at(column, point)) json[column.name] = *value;
@@ -37,7 +37,7 @@ nlohmann::ordered_json fit_json(const io::Result& result) {
     const auto fitted = design::fitted_material(design);
     if (!fitted) return nullptr;
     double stretch = 1;
-    for (const solution::Step& step : result.steps) stretch = std::max(stretch, step.stretch_p99);
+    for (const model::Step& step : result.steps) stretch = std::max(stretch, step.stretch_p99);
     nlohmann::ordered_json json = {{"name", nullptr},        {"law", fitted->law},
                                    {"range", fitted->range}, {"max_I1", fitted->max_I1},
                                    {"stretch_p99", stretch}, {"within", fitted->covers(stretch)}};
@@ -71,13 +71,13 @@ nlohmann::ordered_json postprocess_summary(const io::Result& result, const post:
                                    {"bifurcations", nlohmann::ordered_json::array()}};
     for (const post::Column& column : curve.columns) json["columns"].push_back(column.name);
     if (!result.end) return json;
-    json["stop_reason"] = solution::name(result.end->reason);
+    json["stop_reason"] = model::name(result.end->reason);
     json["detail"] = result.end->detail;
     json["newton_iterations"] = result.end->newton_iterations;
     json["factorizations"] = result.end->factorizations;
-    for (const solution::LimitPoint& limit : result.end->limit_points)
+    for (const model::LimitPoint& limit : result.end->limit_points)
         json["limit_points"].push_back(location_json(curve, limit));
-    for (const solution::Bifurcation& bifurcation : result.end->bifurcations) {
+    for (const model::Bifurcation& bifurcation : result.end->bifurcations) {
         json["bifurcations"].push_back(location_json(curve, bifurcation.at));
         json["bifurcations"].back()["modes"] = bifurcation.modes;
         json["bifurcations"].back()["mode_stored"] = !bifurcation.mode.empty();

@@ -78,7 +78,7 @@ io::ResultWriter rows_of(const solver::Accuracy& accuracy, std::size_t points, c
 
 }  // namespace
 
-void estimate_error(assembly::System& system, std::vector<solver::RowState> rows, double tolerance, double path_s,
+void estimate_error(fem::System& system, std::vector<solver::RowState> rows, double tolerance, double path_s,
                     const CurveOutput& output, Console& console, SolveSummary& summary) {
     using Clock = std::chrono::steady_clock;
     const SignalRecorder note;
@@ -98,13 +98,13 @@ void estimate_error(assembly::System& system, std::vector<solver::RowState> rows
                        std::to_string(row_count));
         return broadcast_from_first_rank(caught_signal) != 0;
     };
-    listeners.curve = [&](const solver::Accuracy& accuracy, const solution::PathEnd& end) {
+    listeners.curve = [&](const solver::Accuracy& accuracy, const model::PathEnd& end) {
         if (accuracy.has_bars) {
             last_s = std::chrono::duration<double>(Clock::now() - begin).count();
             console.say(curve_text(accuracy, tolerance));
         }
         if (output.writer == nullptr) return;
-        solution::PathEnd so_far = end;
+        model::PathEnd so_far = end;
         so_far.detail += "; the refinement of --tolerance was not finished";
         output.writer->publish(rows_of(accuracy, points, output), so_far);
     };

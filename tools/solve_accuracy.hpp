@@ -20,7 +20,7 @@ struct CurveOutput {
 /// Solves the path again on finer meshes and estimates its discretisation error. The output receives the curve of the given mesh
 /// first, then each curve with error bars, so that a killed process leaves the latest one. The first SIGINT or SIGTERM ends the
 /// refinement, the second one the process. `path_s`: wall time of the path [s]. Sets accuracy, end and last row of `summary`.
-void estimate_error(assembly::System& system, std::vector<solver::RowState> rows, double tolerance, double path_s,
+void estimate_error(fem::System& system, std::vector<solver::RowState> rows, double tolerance, double path_s,
                     const CurveOutput& output, Console& console, SolveSummary& summary);
 
 }  // namespace soft::cli

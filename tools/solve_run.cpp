@@ -9,16 +9,16 @@
 #include "contact_check.hpp"
 #include "core/text.hpp"
 #include "design/fitted.hpp"
-#include "dynamics/motion.hpp"
-#include "fields/path_warnings.hpp"
 #include "interrupt.hpp"
 #include "io/result_file.hpp"
 #include "linalg/profile.hpp"
 #include "material_summary.hpp"
+#include "post/path_warnings.hpp"
 #include "ranks.hpp"
 #include "solve_accuracy.hpp"
 #include "solve_changes.hpp"
 #include "solve_summary.hpp"
+#include "solver/motion.hpp"
 #include "solver/path.hpp"
 
 namespace soft::cli {
@@ -84,7 +84,7 @@ io::ResultWriter make_writer(const SolveOptions& options, const Task& task) {
 }
 
 /// Follows the path; `writer` is nullptr on all ranks but the first.
-SolveSummary follow(assembly::System& system, const Task& task, const SolveOptions& options, io::ResultWriter* writer,
+SolveSummary follow(fem::System& system, const Task& task, const SolveOptions& options, io::ResultWriter* writer,
                     Console& console, InterruptNotice& notice) {
     const auto begin = std::chrono::steady_clock::now();
     const model::Case& model = task.from.file.model;
@@ -94,17 +94,16 @@ SolveSummary follow(assembly::System& system, const Task& task, const SolveOptio
     const std::string_view no_resume = model.dynamics      ? "a motion in time cannot be resumed"
                                        : options.tolerance ? "a run with --tolerance cannot be resumed"
                                                            : "";
-    const auto report = [&](const solution::Step& step, double share) {
+    const auto report = [&](const model::Step& step, double share) {
         console.progress(share, step_text(step, model) + remaining.text(share));
     };
-    const auto count = [&](const solution::Step& step) {
+    const auto count = [&](const model::Step& step) {
         summary.last = step;
         if (!summary.first) summary.first = step;
         if (!step.stable && !summary.first_unstable_row) summary.first_unstable_row = summary.steps;
         if (!step.stable_under_control.value_or(step.stable)) summary.became_unstable = true;
         summary.max_stretch_p99 = std::max(summary.max_stretch_p99, step.stretch_p99);
-        if (fields::is_crushed_at_a_point(step) && !summary.first_crushed_row)
-            summary.first_crushed_row = summary.steps;
+        if (post::is_crushed_at_a_point(step) && !summary.first_crushed_row) summary.first_crushed_row = summary.steps;
         summary.min_jacobian = std::min(summary.min_jacobian, step.min_jacobian);
         if (step.max_stretch > summary.max_stretch_step.max_stretch) summary.max_stretch_step = step;
         ++summary.steps;
@@ -113,7 +112,7 @@ SolveSummary follow(assembly::System& system, const Task& task, const SolveOptio
         return progress.advance(step);
     };
     std::vector<solver::RowState> rows;  // kept for --tolerance
-    const auto sink = [&](const solution::Step& step, Vec x) {
+    const auto sink = [&](const model::Step& step, Vec x) {
         const auto fields = system.gather_fields(x);
         if (writer == nullptr) return;
         const linalg::ScopedTimer timed(linalg::Phase::writing);
@@ -122,7 +121,7 @@ SolveSummary follow(assembly::System& system, const Task& task, const SolveOptio
         notice.set(interrupted_text(task.output, summary.steps, no_resume));
     };
     const solver::RowSink keep_row = [&](const solver::RowState& row) { rows.push_back(row); };
-    const auto keep = [&](const solution::Checkpoint& checkpoint) {
+    const auto keep = [&](const model::Checkpoint& checkpoint) {
         const linalg::ScopedTimer timed(linalg::Phase::writing);
         if (writer != nullptr) writer->save_checkpoint(checkpoint);
     };
@@ -132,7 +131,7 @@ SolveSummary follow(assembly::System& system, const Task& task, const SolveOptio
     if (from.checkpoint)
         console.say("continues from row " + std::to_string(from.checkpoint->rows - 1) + ", " +
                     step_text(from.steps.back(), model));
-    for (const solution::Step& step : from.steps) remaining.begin_at(count(step));
+    for (const model::Step& step : from.steps) remaining.begin_at(count(step));
     notice.set(interrupted_text(task.output, summary.steps, no_resume));
     const solver::Listeners listeners{
         sink,
@@ -145,7 +144,7 @@ SolveSummary follow(assembly::System& system, const Task& task, const SolveOptio
                 summary.controls.emplace_back(row, control);
         }};
     summary.end = model.dynamics
-                      ? dynamics::integrate_motion(system, listeners)
+                      ? solver::integrate_motion(system, listeners)
                       : solver::follow_path(system, listeners, from.checkpoint ? &*from.checkpoint : nullptr);
     --summary.steps;  // the undeformed state is not counted
     summary.unknowns = system.dofs().total;
@@ -159,7 +158,7 @@ SolveSummary follow(assembly::System& system, const Task& task, const SolveOptio
 SolveSummary solve_once(const Task& task, const SolveOptions& options, std::optional<io::ResultWriter>* writer,
                         Console& console, InterruptNotice& notice) {
     const auto begin = std::chrono::steady_clock::now();
-    assembly::System system{task.from.file.model, PETSC_COMM_WORLD};
+    fem::System system{task.from.file.model, PETSC_COMM_WORLD};
     if (writer != nullptr) writer->emplace(make_writer(options, task));
     const double start_s = seconds_since(begin);
     console.say(start_line(system.dofs().total, task.from.file.model.mesh.dimension));
@@ -210,11 +209,11 @@ ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) 
             console.warn(*advice);
         if (summary.first && summary.last)
             for (const std::string& line :
-                 fields::path_warnings(model,
-                                       {*summary.first, *summary.last, summary.max_stretch_p99,
-                                        summary.max_stretch_step, summary.became_unstable, summary.end.limit_points,
-                                        summary.first_crushed_row, summary.min_jacobian},
-                                       summary.end.reason))
+                 post::path_warnings(model,
+                                     {*summary.first, *summary.last, summary.max_stretch_p99, summary.max_stretch_step,
+                                      summary.became_unstable, summary.end.limit_points, summary.first_crushed_row,
+                                      summary.min_jacobian},
+                                     summary.end.reason))
                 console.warn(line);
         if (const std::string problem = summary.energy.problem(); !problem.empty())
             model.dynamics ? console.warn_always(problem) : console.error(problem);
@@ -234,7 +233,7 @@ ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) 
     }
     const bool wrong = !model.dynamics && broadcast_from_first_rank(summary.energy.problem().empty() ? 0 : 1) != 0;
     if (wrong) return ExitCode::check_failed;
-    if (summary.end.reason != solution::StopReason::done) return ExitCode::stopped_early;
+    if (summary.end.reason != model::StopReason::done) return ExitCode::stopped_early;
     return summary.accuracy && !summary.accuracy->met() ? ExitCode::check_failed : ExitCode::ok;
 }
 

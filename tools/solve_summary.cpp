@@ -90,7 +90,7 @@ std::string motion_text(const SolveSummary& summary, const model::Dynamics& dyna
     return text + "; ";
 }
 
-nlohmann::ordered_json end_json(const solution::Step& last, const model::Case& model) {
+nlohmann::ordered_json end_json(const model::Step& last, const model::Case& model) {
     nlohmann::ordered_json json;
     if (model.path.stages.size() > 1) json["stage"] = model.path.stages[static_cast<std::size_t>(last.stage)].name;
     add_point(json, last, model);
@@ -146,7 +146,7 @@ std::string RemainingTime::text(double share) const {
 }
 
 std::string summary_line(const SolveSummary& summary, const model::Case& model) {
-    return std::string{solution::name(summary.end.reason)} + ": " + summary.end.detail + "; " +
+    return std::string{model::name(summary.end.reason)} + ": " + summary.end.detail + "; " +
            core::counted(summary.steps, "step") + ", " + core::counted(summary.end.newton_iterations, "iteration") +
            ", " + core::counted(summary.end.factorizations, "factorization") + "; " +
            (model.dynamics ? motion_text(summary, *model.dynamics) : std::string{}) +
@@ -180,7 +180,7 @@ nlohmann::ordered_json summary_json(const SolveSummary& summary, const model::Ca
         {"version", version()},
         {"revision", revision()},
         {"case", model.name},
-        {"stop_reason", solution::name(summary.end.reason)},
+        {"stop_reason", model::name(summary.end.reason)},
         {"detail", summary.end.detail},
         {"steps", summary.steps},
         {"newton_iterations", summary.end.newton_iterations},
@@ -239,7 +239,7 @@ std::vector<std::string> accuracy_lines(const AccuracySummary& accuracy) {
 std::vector<std::string> limit_lines(const SolveSummary& summary, const model::Case& model) {
     constexpr std::size_t max_lines = 6;
     std::vector<std::string> lines;
-    for (const solution::LimitPoint& point : summary.end.limit_points)
+    for (const model::LimitPoint& point : summary.end.limit_points)
         if (point.step < summary.steps) lines.push_back("limit point at " + location_text(point, model));
     if (lines.size() > max_lines) {
         const std::size_t more = lines.size() - max_lines;
@@ -249,7 +249,7 @@ std::vector<std::string> limit_lines(const SolveSummary& summary, const model::C
     return lines;
 }
 
-std::vector<std::string> bifurcation_lines(const solution::PathEnd& end, const model::Case& model) {
+std::vector<std::string> bifurcation_lines(const model::PathEnd& end, const model::Case& model) {
     std::vector<std::string> lines;
     for (const auto& bifurcation : end.bifurcations) {
         const std::string leaving =
@@ -274,7 +274,7 @@ std::string control_line(const SolveSummary& summary, const model::Case& model) 
 }
 
 std::string stability_line(const SolveSummary& summary) {
-    const bool at_the_end = summary.end.reason == solution::StopReason::done && summary.last && !summary.last->stable;
+    const bool at_the_end = summary.end.reason == model::StopReason::done && summary.last && !summary.last->stable;
     if (!at_the_end || !summary.first_unstable_row) return "";
     if (summary.last->stable_under_control.value_or(false))
         return "the final state is unstable under load control, as are the states from row " +
@@ -284,7 +284,7 @@ std::string stability_line(const SolveSummary& summary) {
            " on: a perturbed actuator leaves it; use path.branch: follow to compute the branch it moves to";
 }
 
-std::string step_text(const solution::Step& step, const model::Case& model) {
+std::string step_text(const model::Step& step, const model::Case& model) {
     const auto& stages = model.path.stages;
     const std::string stage = stages.size() > 1 ? stages[static_cast<std::size_t>(step.stage)].name + ": " : "";
     const std::string time = step.motion ? time_text(step.motion->time_s) + ", " : "";
@@ -300,7 +300,7 @@ double share_of(double value, double first, double goal) {
 
 }  // namespace
 
-double Progress::advance(const solution::Step& step) {
+double Progress::advance(const model::Step& step) {
     if (!begun_) {
         undeformed_m3_ = step.volume_m3;
         start_ = step;

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "cli.hpp"
-#include "fields/energy_balance.hpp"
 #include "linalg/profile.hpp"
 #include "model/case.hpp"
-#include "solution/path.hpp"
+#include "model/path.hpp"
+#include "post/energy_balance.hpp"
 
 namespace soft::cli {
 
@@ -28,19 +28,19 @@ struct AccuracySummary {
 };
 
 struct SolveSummary {
-    solution::PathEnd end;
-    std::optional<solution::Step> first, last;  ///< rows of the path
+    model::PathEnd end;
+    std::optional<model::Step> first, last;  ///< rows of the path
     std::optional<int> first_unstable_row;
     bool became_unstable = false;                       ///< some row is unstable under the active control
     std::vector<std::pair<int, std::string>> controls;  ///< static path: active controls, each with its first row
     double max_stretch_p99 = 1;                         ///< maximum over all rows
-    solution::Step max_stretch_step;                    ///< the row with the largest max_stretch
+    model::Step max_stretch_step;                       ///< the row with the largest max_stretch
     std::optional<int> first_crushed_row;
     double min_jacobian = 1;
     std::optional<AccuracySummary> accuracy;
     long long unknowns = 0;
     int steps = 0;  ///< rows of the path after the undeformed state
-    fields::EnergyBalance energy;
+    post::EnergyBalance energy;
     int ranks = 1;
     double wall_s = 0, cpu_s = 0;  ///< cpu_s: of this process; in a batch since the previous line
     double peak_memory_MB = 0;     ///< of this process
@@ -83,7 +83,7 @@ struct MemoryRange {
 [[nodiscard]] std::vector<std::string> limit_lines(const SolveSummary& summary, const model::Case& model);
 
 /// One line per bifurcation: "bifurcation at 26.1 kPa, elongation 127 mm, volume 80 mL: another branch leaves the path ..."
-[[nodiscard]] std::vector<std::string> bifurcation_lines(const solution::PathEnd& end, const model::Case& model);
+[[nodiscard]] std::vector<std::string> bifurcation_lines(const model::PathEnd& end, const model::Case& model);
 /// The controls selected by `path.control: auto` with their first rows; empty for a single control or a user-selected one.
 [[nodiscard]] std::string control_line(const SolveSummary& summary, const model::Case& model);
 /// Line for a path that reaches its goal in an unstable state; otherwise empty.
@@ -91,7 +91,7 @@ struct MemoryRange {
 
 /// "12.3 kPa, elongation 92.5 mm, volume 55.3 mL"; with several stages "vent: 12.3 kPa, ...", for dynamics
 /// "50 ms, 12.3 kPa, ...".
-[[nodiscard]] std::string step_text(const solution::Step& step, const model::Case& model);
+[[nodiscard]] std::string step_text(const model::Step& step, const model::Case& model);
 
 /// Progress from 0 to 1: all stages have equal weight; within a stage, the fraction of the way to its nearest goal. Never decreases,
 /// also if the load decreases past a limit point.
@@ -99,12 +99,12 @@ class Progress {
 public:
     explicit Progress(const model::Case& model) : model_(model) {}
     /// Progress after this row. Pass rows in the order of the path, the undeformed state first.
-    double advance(const solution::Step& step);
+    double advance(const model::Step& step);
 
 private:
     const model::Case& model_;
     std::optional<double> undeformed_m3_;
-    solution::Step start_, last_;  ///< first row of the stage, and the previous row
+    model::Step start_, last_;  ///< first row of the stage, and the previous row
     double share_ = 0;
     bool begun_ = false;
 };

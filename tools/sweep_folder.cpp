@@ -74,7 +74,7 @@ void add_curve(const io::Result& result, const fs::path& table, const sweep::Swe
     sweep::Outputs outputs = sweep::outputs_of(sweep, curve, result.end->limit_points);
     outcome.outputs = std::move(outputs.cells);
     for (const post::Column& column : curve.columns) outcome.columns.push_back(column.name);
-    outcome.stop_reason = solution::name(result.end->reason);
+    outcome.stop_reason = model::name(result.end->reason);
     if (outcome.exit_code != static_cast<int>(ExitCode::ok)) outcome.error = result.end->detail;
     for (const std::string& reason : outputs.missing)
         outcome.error.append(outcome.error.empty() ? "" : "; ").append(reason);

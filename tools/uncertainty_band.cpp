@@ -117,7 +117,7 @@ void draw(const UncertaintyOptions& options, Run fitted, post::Band band) {
     const post::Column* column = fitted.curve.find(quantity);
     (column != nullptr && column->source == post::Source::load ? request.y : request.x) = quantity;
     const post::PlotSeries series{fitted.result.model.name, std::move(fitted.curve),
-                                  fitted.result.end.value_or(solution::PathEnd{}), std::move(band)};
+                                  fitted.result.end.value_or(model::PathEnd{}), std::move(band)};
     post::draw_plot({&series, 1}, nullptr, request, options.plot);
 }
 

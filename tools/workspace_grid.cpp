@@ -175,8 +175,8 @@ ExitCode write_grid(const GridOptions& options) {
 /// The unloaded state and the last row of each completed stage; the last stage is complete only if the path is done.
 std::vector<std::size_t> point_rows(const io::Result& result) {
     std::vector<std::size_t> rows;
-    const std::vector<solution::Step>& steps = result.steps;
-    const bool is_done = result.end && result.end->reason == solution::StopReason::done;
+    const std::vector<model::Step>& steps = result.steps;
+    const bool is_done = result.end && result.end->reason == model::StopReason::done;
     for (std::size_t row = 0; row < steps.size(); ++row) {
         const bool is_last = row + 1 == steps.size();
         const bool ends_stage = row > 0 && (is_last ? is_done : steps[row + 1].stage != steps[row].stage);
@@ -200,7 +200,7 @@ Points points_of(const io::Result& result) {
     };
     const auto& loads = result.model.loads;
     for (std::size_t i = 0; i < loads.size(); ++i)
-        add("pressure_" + loads[i].name + "_kPa", [&, i](const solution::Step& step) {
+        add("pressure_" + loads[i].name + "_kPa", [&, i](const model::Step& step) {
             return (loads.size() > 1 ? step.pressures_Pa[i] : step.pressure_Pa) / 1e3;
         });
     for (const std::string axis : axes) {
@@ -209,7 +209,7 @@ Points points_of(const io::Result& result) {
             throw Error(ExitCode::bad_input, result.model.name, "the result has no output " + core::quoted(axis),
                         "give the result of a design that workspace-grid has written");
         const auto index = static_cast<std::size_t>(output - result.model.outputs.begin());
-        add(axis + "_mm", [index](const solution::Step& step) { return step.outputs[index] * 1e3; });
+        add(axis + "_mm", [index](const model::Step& step) { return step.outputs[index] * 1e3; });
     }
     return points;
 }

@@ -1,6 +1,6 @@
 #pragma once
 /// Checks that the formulation is compatible with order, cells and compressibility. Private to the module. Tested by
-/// design/formulation_test. element/reference_cell checks the formulation against the cell types of the mesh.
+/// design/formulation_test. fem/reference_cell checks the formulation against the cell types of the mesh.
 #include "design/design.hpp"
 
 namespace soft::design {

@@ -11,7 +11,7 @@
 namespace soft::fit {
 namespace {
 
-using table::Table;
+using core::Table;
 
 std::string lower(std::string_view text) {
     std::string small{text};
@@ -49,7 +49,7 @@ Error refusal(const Table& table, const std::string& problem, const std::string&
 
 std::vector<std::string> quoted_titles(const Table& table) {
     std::vector<std::string> titles;
-    for (const table::Heading& heading : table.headings)
+    for (const core::Heading& heading : table.headings)
         if (!heading.name.empty()) titles.push_back(core::quoted(heading.name));
     return titles;
 }
@@ -106,7 +106,7 @@ std::size_t column_by_title(const Table& table, const ColumnQuery& query) {
     if (table.headings.empty())
         throw refusal(table, "the table has no header to identify the " + what + " column", remedy);
     const bool has_machine_column = std::ranges::any_of(
-        table.headings, [&](const table::Heading& heading) { return query.fits_machine(heading.name); });
+        table.headings, [&](const core::Heading& heading) { return query.fits_machine(heading.name); });
     throw refusal(table,
                   hits.empty() ? "no title identifies the " + what + " column" : "several columns may be the " + what,
                   remedy + "; columns: " + titles_text(table) +
@@ -147,10 +147,10 @@ constexpr Measured stress_quantity{core::Dimension::pressure, "stress", "--stres
 constexpr Measured force_quantity{core::Dimension::force, "force", "--stress-unit", "N (or mN, kN, lbf, kgf)"};
 constexpr Measured displacement_quantity{core::Dimension::length, "displacement", "--strain-unit", "mm (or m, in)"};
 
-std::string stated_unit(const Measured& measured, const std::string& option_value, const table::Heading& heading,
+std::string stated_unit(const Measured& measured, const std::string& option_value, const core::Heading& heading,
                         MissingMetadata& missing) {
     const std::string option{measured.option}, what{measured.what}, examples{measured.examples};
-    const auto fits = [&](std::string_view unit) { return table::dimension_of(unit) == measured.dimension; };
+    const auto fits = [&](std::string_view unit) { return core::dimension_of(unit) == measured.dimension; };
     if (!option_value.empty() && !fits(option_value))
         throw Error(ExitCode::usage, option, core::quoted(option_value) + " is not a unit of " + what,
                     "use " + examples);
@@ -205,9 +205,9 @@ Columns columns_of(const Table& table, const ReadSettings& settings) {
         throw refusal(table, "strain and stress are the same column",
                       "name two with --strain-column and --stress-column");
     const auto heading = [&](std::size_t column) {
-        return column < table.headings.size() ? table.headings[column] : table::Heading{};
+        return column < table.headings.size() ? table.headings[column] : core::Heading{};
     };
-    const table::Heading strain = heading(columns.strain), stress = heading(columns.stress);
+    const core::Heading strain = heading(columns.strain), stress = heading(columns.stress);
     MissingMetadata missing;
     if (!is_machine_strain) columns.strain_measure = strain_measure(strain.name, settings, missing);
     if (!is_machine_stress) columns.stress_measure = stress_measure(stress.name, settings, missing);

@@ -16,6 +16,6 @@ struct Columns {
 };
 
 /// Errors as read_test.
-[[nodiscard]] Columns columns_of(const table::Table& table, const ReadSettings& settings);
+[[nodiscard]] Columns columns_of(const core::Table& table, const ReadSettings& settings);
 
 }  // namespace soft::fit

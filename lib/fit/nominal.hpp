@@ -3,9 +3,9 @@
 /// F = diag(l, t(l), ...) with det F = 1, the stress P satisfies dW/dl = k P, k = 1 (uniaxial, planar) or 2 (equibiaxial: two
 /// directions are stretched). W is differentiated by forward AD in one variable, which is many times faster than
 /// material::homogeneous_state. fit/nominal_test compares both. Source: work conjugacy, derived here.
-#include "core/dual.hpp"
 #include "material/homogeneous.hpp"
 #include "material/law.hpp"
+#include "math/dual.hpp"
 
 namespace soft::fit {
 

@@ -21,18 +21,18 @@ struct Point {
     std::size_t line = 0;
 };
 
-[[noreturn]] void refuse(const table::Table& table, std::size_t line, const std::string& problem,
+[[noreturn]] void refuse(const core::Table& table, std::size_t line, const std::string& problem,
                          const std::string& remedy) {
     throw Error(ExitCode::bad_input, table.source + ":" + std::to_string(line), problem, remedy);
 }
 
 /// If one of the two columns contains a decimal point, a comma is not a decimal separator: "1,234" next to "0.1" is not 1.234.
-void resolve_decimal_separator(table::Table& table, const Columns& columns) {
-    if (table.decimal != table::Decimal::either) return;
+void resolve_decimal_separator(core::Table& table, const Columns& columns) {
+    if (table.decimal != core::Decimal::either) return;
     const bool has_point = std::ranges::any_of(table.rows, [&](const std::vector<std::string>& row) {
         return row[columns.strain].find('.') != std::string::npos || row[columns.stress].find('.') != std::string::npos;
     });
-    if (has_point) table.decimal = table::Decimal::point;
+    if (has_point) table.decimal = core::Decimal::point;
 }
 
 double stretch_of(double strain, StrainMeasure measure) {
@@ -44,12 +44,12 @@ double stretch_of(double strain, StrainMeasure measure) {
     return strain;
 }
 
-std::vector<Point> points_of(const table::Table& table, const Columns& columns, const ReadSettings& settings) {
+std::vector<Point> points_of(const core::Table& table, const Columns& columns, const ReadSettings& settings) {
     const Specimen& specimen = settings.specimen;
-    auto strains = table::values_SI(table, columns.strain, columns.strain_unit,
-                                    specimen.gauge_length_m ? core::Dimension::length : core::Dimension::ratio);
-    auto stresses = table::values_SI(table, columns.stress, columns.stress_unit,
-                                     specimen.area_m2 ? core::Dimension::force : core::Dimension::pressure);
+    auto strains = core::values_SI(table, columns.strain, columns.strain_unit,
+                                   specimen.gauge_length_m ? core::Dimension::length : core::Dimension::ratio);
+    auto stresses = core::values_SI(table, columns.stress, columns.stress_unit,
+                                    specimen.area_m2 ? core::Dimension::force : core::Dimension::pressure);
     for (double& strain : strains) strain /= specimen.gauge_length_m.value_or(1.0);
     for (double& stress : stresses) stress /= specimen.area_m2.value_or(1.0);
     const bool unit_stated = !settings.strain_unit.empty() || !columns.strain_unit.empty();
@@ -69,7 +69,7 @@ std::vector<Point> points_of(const table::Table& table, const Columns& columns, 
     return points;
 }
 
-void check_path(const table::Table& table, const std::vector<Point>& points) {
+void check_path(const core::Table& table, const std::vector<Point>& points) {
     for (std::size_t i = 1; i < points.size(); ++i) {
         const double first = points[1].stretch - points[0].stretch, step = points[i].stretch - points[i - 1].stretch;
         if (step == 0.0)
@@ -82,7 +82,7 @@ void check_path(const table::Table& table, const std::vector<Point>& points) {
 }
 
 /// The displacement of a testing machine may repeat and fluctuate within its resolution; a larger reversal starts another ramp.
-void check_machine_path(const table::Table& table, const std::vector<Point>& points) {
+void check_machine_path(const core::Table& table, const std::vector<Point>& points) {
     const auto [min, max] = std::ranges::minmax(points, {}, &Point::stretch);
     const double sign = max.stretch - 1.0 >= 1.0 - min.stretch ? 1.0 : -1.0;
     const double noise = machine_noise * (max.stretch - min.stretch);
@@ -95,7 +95,7 @@ void check_machine_path(const table::Table& table, const std::vector<Point>& poi
     }
 }
 
-void skip_rows(table::Table& table, std::size_t count) {
+void skip_rows(core::Table& table, std::size_t count) {
     const auto rows = static_cast<std::ptrdiff_t>(std::min(count, table.rows.size()));
     table.rows.erase(table.rows.begin(), table.rows.begin() + rows);
     table.lines.erase(table.lines.begin(), table.lines.begin() + rows);
@@ -114,7 +114,7 @@ std::string_view name_of(Mode mode) {
 }
 
 TestCurve read_test(std::string_view text, std::string_view source, Mode mode, const ReadSettings& settings) {
-    table::Table table = table::read_table(text, source, settings.format);
+    core::Table table = core::read_table(text, source, settings.format);
     const Columns columns = columns_of(table, settings);
     const std::size_t last_line = table.lines.back();
     skip_rows(table, settings.skipped_rows);

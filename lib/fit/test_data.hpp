@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/table.hpp"
 #include "material/homogeneous.hpp"
-#include "table/table.hpp"
 
 namespace soft::fit {
 
@@ -58,7 +58,7 @@ struct Specimen {
 /// "Engineering Strain", "True Stress (MPa)", "stretch", "stress_kPa"; engineering is preferred to true. With a specimen:
 /// "Extension (mm)", "Crosshead [mm]", "Standard travel", "Load (N)", "Standard force", "Standardweg", "Standardkraft".
 struct ReadSettings {
-    table::Format format = {.layout = table::Layout::described};
+    core::Format format = {.layout = core::Layout::described};
     std::string strain_column = {}, stress_column = {};
     std::optional<StrainMeasure> strain_measure = {};
     std::optional<StressMeasure> stress_measure = {};

@@ -47,7 +47,7 @@ meshing::Part part_of(const std::string& file, std::string_view location, const 
 
 design::FileFaces faces_of_part(const meshing::Part& part) {
     design::FileFaces names;
-    for (const surface::Shell& shell : part.surface.shells) {
+    for (const meshing::Shell& shell : part.surface.shells) {
         names.faces.push_back(shell.name);
         if (shell.name != cavity_face && names.faces.size() > 1) names.cavities.push_back(shell.name);
     }

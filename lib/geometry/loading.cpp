@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/text.hpp"
-#include "element/pressure_kernel.hpp"
+#include "fem/pressure_kernel.hpp"
 #include "mesh/cell_map.hpp"
 #include "mesh/locate.hpp"
 #include "model/face_symmetry.hpp"
@@ -71,12 +71,12 @@ double whole_area_m2(const Solid& solid, const DirectionRequest& request, const 
                             "use a model without this plane, or another direction");
     double area_m2 = 0;
     for (const mesh::Facet& facet : solid.mesh.facet_sets.at(request.face)) {
-        const auto reference = element::make_reference_facet(mesh::facet_type(solid.mesh, facet));
+        const auto reference = fem::make_reference_facet(mesh::facet_type(solid.mesh, facet));
         const auto nodes = mesh::facet_nodes(solid.mesh, facet);
         std::vector<double> X(static_cast<std::size_t>(reference.dofs())), weights(nodes.size());
         for (std::size_t i = 0; i < static_cast<std::size_t>(solid.mesh.dimension); ++i)
             for (std::size_t a = 0; a < nodes.size(); ++a) X[i * nodes.size() + a] = solid.mesh.point(nodes[a])[i];
-        area_m2 += element::facet_area(reference, solid.kinematics, X, weights);
+        area_m2 += fem::facet_area(reference, solid.kinematics, X, weights);
     }
     return symmetry.copies * area_m2;
 }

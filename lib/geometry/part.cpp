@@ -24,26 +24,26 @@ mesh::Point point_of(const design::Values& values, const std::string& path) {
     return {numbers[0], numbers[1], numbers[2]};
 }
 
-surface::FaceRule rule_of(const design::Values& values, const std::string& name) {
+meshing::FaceRule rule_of(const design::Values& values, const std::string& name) {
     constexpr double usual_within_rad = 10 * std::numbers::pi / 180;
     const std::string own = std::string{rules_group} + "." + name + ".";
-    surface::FaceRule rule{name, {}, {}, {}, {}};
+    meshing::FaceRule rule{name, {}, {}, {}, {}};
     const std::array<const char*, 3> planes{"plane.x", "plane.y", "plane.z"};
     for (std::size_t c = 0; c < 3; ++c) {
         if (!values.has(own + planes[c])) continue;
         if (rule.plane) throw values.refuse(own + planes[c], "only one plane is possible", "use x, y or z alone");
-        rule.plane = surface::FaceRule::Plane{c, values.number(own + planes[c])};
+        rule.plane = meshing::FaceRule::Plane{c, values.number(own + planes[c])};
     }
     if (values.has(own + "box.from") != values.has(own + "box.to"))
         throw values.refuse(own + (values.has(own + "box.from") ? "box.from" : "box.to"), "a box needs two corners",
                             "use box: {from: [x, y, z], to: [x, y, z]}");
     if (values.has(own + "box.from"))
-        rule.box = surface::FaceRule::Box{point_of(values, own + "box.from"), point_of(values, own + "box.to")};
+        rule.box = meshing::FaceRule::Box{point_of(values, own + "box.from"), point_of(values, own + "box.to")};
     if (values.has(own + "within") && !values.has(own + "normal"))
         throw values.refuse(own + "within", "within needs a normal", "add normal: [x, y, z]");
     if (values.has(own + "normal")) {
         rule.direction =
-            surface::FaceRule::Direction{point_of(values, own + "normal"),
+            meshing::FaceRule::Direction{point_of(values, own + "normal"),
                                          values.has(own + "within") ? values.number(own + "within") : usual_within_rad};
         if (rule.direction->normal == mesh::Point{})
             throw values.refuse(own + "normal", "the normal is zero", "use a direction such as [1, 0, 0]");
@@ -51,14 +51,14 @@ surface::FaceRule rule_of(const design::Values& values, const std::string& name)
     if (values.has(own + "up_to") && !values.has(own + "point"))
         throw values.refuse(own + "up_to", "up_to needs a point", "add point: [x, y, z]");
     if (values.has(own + "point"))
-        rule.flood = surface::FaceRule::Flood{point_of(values, own + "point"), values.has(own + "up_to")
+        rule.flood = meshing::FaceRule::Flood{point_of(values, own + "point"), values.has(own + "up_to")
                                                                                    ? listed(values.text(own + "up_to"))
                                                                                    : std::vector<std::string>{}};
     return rule;
 }
 
 /// A part with a symmetry plane must lie on one side of it.
-void refuse_crossing(const surface::BodySurface& surface, const std::array<bool, 3>& cut,
+void refuse_crossing(const meshing::BodySurface& surface, const std::array<bool, 3>& cut,
                      const design::Values& values) {
     constexpr double rounding = 1e-6;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -73,11 +73,11 @@ void refuse_crossing(const surface::BodySurface& surface, const std::array<bool,
 }
 
 /// Adds the cuts as faces; no flood crosses them.
-std::vector<surface::FaceRule> with_cuts(std::vector<surface::FaceRule> rules, const std::array<bool, 3>& cut) {
-    std::vector<surface::FaceRule> all;
+std::vector<meshing::FaceRule> with_cuts(std::vector<meshing::FaceRule> rules, const std::array<bool, 3>& cut) {
+    std::vector<meshing::FaceRule> all;
     for (std::size_t c = 0; c < 3; ++c)
-        if (cut[c]) all.push_back({symmetry_faces[c], surface::FaceRule::Plane{c, 0}, {}, {}, {}});
-    for (surface::FaceRule& rule : rules)
+        if (cut[c]) all.push_back({symmetry_faces[c], meshing::FaceRule::Plane{c, 0}, {}, {}, {}});
+    for (meshing::FaceRule& rule : rules)
         if (rule.flood && !rule.flood->up_to.empty())
             for (std::size_t c = 0; c < 3; ++c)
                 if (cut[c]) rule.flood->up_to.emplace_back(symmetry_faces[c]);
@@ -105,15 +105,15 @@ double file_unit_m(const std::string& unit) {
     return found->second;
 }
 
-std::vector<surface::FaceRule> face_rules(const design::Values& values) {
-    std::vector<surface::FaceRule> rules, floods;  // floods refer to faces of the other rules
+std::vector<meshing::FaceRule> face_rules(const design::Values& values) {
+    std::vector<meshing::FaceRule> rules, floods;  // floods refer to faces of the other rules
     for (const std::string& name : values.names_below(rules_group)) {
-        surface::FaceRule rule = rule_of(values, name);
+        meshing::FaceRule rule = rule_of(values, name);
         (rule.flood && !rule.flood->up_to.empty() ? floods : rules).push_back(std::move(rule));
     }
-    for (const surface::FaceRule& rule : floods)
+    for (const meshing::FaceRule& rule : floods)
         for (const std::string& border : rule.flood->up_to)
-            if (std::ranges::find(rules, border, &surface::FaceRule::name) == rules.end())
+            if (std::ranges::find(rules, border, &meshing::FaceRule::name) == rules.end())
                 throw values.refuse(std::string{rules_group} + "." + rule.name + ".up_to",
                                     core::quoted(border) + " is not a face of geometry.faces without up_to",
                                     "use faces defined by plane, box, normal or point");
@@ -133,13 +133,13 @@ MeshedPart mesh_part(const meshing::Part& part, const design::Values& values) {
     MeshedPart result;
     const std::array<bool, 3> cut = cuts(values);
     refuse_crossing(part.surface, cut, values);
-    const std::vector<surface::Wall> walls = surface::walls(part.surface.points, part.surface.triangles);
+    const std::vector<meshing::Wall> walls = meshing::walls(part.surface.points, part.surface.triangles);
     result.figures = {part.origin.name, part.surface.triangles.size(), part.surface.volume_m3(),
-                      walls.empty() ? surface::WallStatistics{} : surface::wall_statistics(walls),
+                      walls.empty() ? meshing::WallStatistics{} : meshing::wall_statistics(walls),
                       part.surface.repairs};
     for (std::size_t s = 1; s < part.surface.shells.size(); ++s) result.cavities.push_back(part.surface.shells[s].name);
-    const std::vector<surface::NamedFace> faces = named_faces(part.surface, with_cuts(face_rules(values), cut));
-    for (const surface::NamedFace& face : faces)
+    const std::vector<meshing::NamedFace> faces = named_faces(part.surface, with_cuts(face_rules(values), cut));
+    for (const meshing::NamedFace& face : faces)
         if (std::ranges::find(face.facets, true) == face.facets.end()) {
             std::string first =
                 face.name.starts_with("symmetry_") ? symmetry_key : "";  // key of the rule, as the location
@@ -154,7 +154,7 @@ MeshedPart mesh_part(const meshing::Part& part, const design::Values& values) {
     const double max_m = CellSize{values, part.surface.extent_m() / own_along}.length_m();
     const int through = values.text("mesh.through_wall") == "auto" ? scaled_count(values, own_through)
                                                                    : values.count("mesh.through_wall");
-    const surface::WallSizes sizes(walls, bends(part.surface), {max_m / values.number("mesh.grading"), max_m, through});
+    const meshing::WallSizes sizes(walls, bends(part.surface), {max_m / values.number("mesh.grading"), max_m, through});
     result.mesh = meshing::mesh_inside({part.surface, faces, part.origin}, sizes);
     put_on_planes(result.mesh, cut);
     return result;

@@ -2,9 +2,9 @@
 /// A part from a surface or CAD file as the design describes it: faces named by rules, cut at symmetry planes, filled with cells.
 /// Tested by geometry/part_test.
 #include "design/design.hpp"
+#include "meshing/body_walls.hpp"
+#include "meshing/named_faces.hpp"
 #include "meshing/part_file.hpp"
-#include "surface/body_walls.hpp"
-#include "surface/named_faces.hpp"
 
 namespace soft::geometry {
 
@@ -13,7 +13,7 @@ struct PartFigures {
     std::string file;
     std::size_t facets = 0;
     double volume_m3 = 0;
-    surface::WallStatistics walls;
+    meshing::WallStatistics walls;
     std::vector<std::string> repairs;
 };
 
@@ -21,7 +21,7 @@ struct PartFigures {
 [[nodiscard]] double file_unit_m(const std::string& unit);
 
 /// The rules below geometry.faces of the design. Throws values.refuse(...) for invalid rules.
-[[nodiscard]] std::vector<surface::FaceRule> face_rules(const design::Values& values);
+[[nodiscard]] std::vector<meshing::FaceRule> face_rules(const design::Values& values);
 
 /// geometry.symmetry: the planes x, y, z = 0 at which the part of the file is cut.
 [[nodiscard]] std::array<bool, 3> cuts(const design::Values& values);

@@ -6,11 +6,11 @@
 #include <optional>
 
 #include "core/files.hpp"
+#include "core/table.hpp"
 #include "core/text.hpp"
 #include "geometry/keys.hpp"
 #include "geometry/profile_curves.hpp"
 #include "meshing/outline_sizes.hpp"
-#include "table/table.hpp"
 
 namespace soft::geometry {
 namespace {
@@ -24,11 +24,11 @@ Error fault(std::string_view source, std::size_t line, std::string_view problem,
 class Reader {
 public:
     Reader(std::string_view text, std::string_view source, Across across)
-        : table_(table::read_table(text, source)), second_(across == Across::r ? "r" : "y") {
+        : table_(core::read_table(text, source)), second_(across == Across::r ? "r" : "y") {
         if (table_.headings.empty())
             throw fault(source, table_.lines.front(), "the header line is missing",
                         "begin with x_mm," + second_ + "_mm,tag");
-        for (const table::Heading& heading : table_.headings) check_known(heading);
+        for (const core::Heading& heading : table_.headings) check_known(heading);
     }
 
     [[nodiscard]] std::vector<ProfileRow> rows() const {
@@ -50,7 +50,7 @@ public:
     }
 
 private:
-    void check_known(const table::Heading& heading) const {
+    void check_known(const core::Heading& heading) const {
         const std::vector<std::string> known{"x", second_, "tag", "curve", "via_x", "via_" + second_, "loop"};
         if (std::ranges::find(known, heading.quantity) == known.end())
             throw fault(table_.source, table_.header_line, "unknown column " + core::quoted(heading.name),
@@ -58,20 +58,20 @@ private:
     }
 
     [[nodiscard]] std::optional<std::size_t> column(std::string_view quantity) const {
-        const auto found = std::ranges::find(table_.headings, quantity, &table::Heading::quantity);
+        const auto found = std::ranges::find(table_.headings, quantity, &core::Heading::quantity);
         if (found == table_.headings.end()) return std::nullopt;
         return static_cast<std::size_t>(found - table_.headings.begin());
     }
 
-    [[nodiscard]] std::vector<double> lengths(const std::string& quantity, const table::Table& table) const {
+    [[nodiscard]] std::vector<double> lengths(const std::string& quantity, const core::Table& table) const {
         const auto found = column(quantity);
         if (!found)
             throw fault(table_.source, table_.header_line, "there is no column " + core::quoted(quantity + "_mm"));
-        const table::Heading& heading = table_.headings[*found];
-        if (table::dimension_of(heading.unit) != core::Dimension::length)
+        const core::Heading& heading = table_.headings[*found];
+        if (core::dimension_of(heading.unit) != core::Dimension::length)
             throw fault(table_.source, table_.header_line,
                         "column " + core::quoted(heading.name) + " has no unit of length", "write " + quantity + "_mm");
-        return table::values_SI(table, *found, heading.unit, core::Dimension::length);
+        return core::values_SI(table, *found, heading.unit, core::Dimension::length);
     }
 
     [[nodiscard]] std::string word(std::string_view quantity, std::size_t row) const {
@@ -89,7 +89,7 @@ private:
     }
 
     void read_vias(std::vector<ProfileRow>& rows) const {
-        table::Table arcs = table_;  // only the rows of arcs
+        core::Table arcs = table_;  // only the rows of arcs
         arcs.rows.clear();
         arcs.lines.clear();
         std::vector<ProfileRow*> owners;
@@ -104,7 +104,7 @@ private:
         for (std::size_t i = 0; i < owners.size(); ++i) owners[i]->via = meshing::PlanePoint{x[i], y[i]};
     }
 
-    table::Table table_;
+    core::Table table_;
     std::string second_;
 };
 

@@ -6,7 +6,7 @@
 ///          the records when it opens a file for writing). They are first read in a subprocess (subprocess_read.hpp) and then with
 ///          all other checks.
 ///   step   one step of a running or killed `solve -o` (journal.hpp). Finished files have none.
-///   checkpoint   state from which the solver can continue after the preceding steps (solution/checkpoint.hpp). Finished files
+///   checkpoint   state from which the solver can continue after the preceding steps (model/checkpoint.hpp). Finished files
 ///          have none.
 /// Record: 8 bytes "SOFTREC1", 8 bytes kind, 8 bytes payload length (little endian), payload, 64 bytes SHA-256 (hex)
 /// of all preceding bytes of the record. An incomplete step or checkpoint record at the end of the file is the result of a killed

@@ -92,44 +92,42 @@ private:
 };
 
 /// Members of a step, in the order of the record.
-constexpr std::array numbers{&solution::Step::load_factor,         &solution::Step::pressure_Pa,
-                             &solution::Step::tangent_load_factor, &solution::Step::tangent_pressure,
-                             &solution::Step::tangent_volume,      &solution::Step::stretch_p99,
-                             &solution::Step::max_stretch,         &solution::Step::min_jacobian};
-constexpr std::array lists{&solution::Step::pressures_Pa,    &solution::Step::volumes_m3,
-                           &solution::Step::outputs,         &solution::Step::tangent_pressures,
-                           &solution::Step::tangent_volumes, &solution::Step::tangent_outputs,
-                           &solution::Step::output_errors,   &solution::Step::frequencies_Hz};
-constexpr std::array counts{&solution::Step::stage, &solution::Step::newton_iterations,
-                            &solution::Step::factorizations};
+constexpr std::array numbers{&model::Step::load_factor,         &model::Step::pressure_Pa,
+                             &model::Step::tangent_load_factor, &model::Step::tangent_pressure,
+                             &model::Step::tangent_volume,      &model::Step::stretch_p99,
+                             &model::Step::max_stretch,         &model::Step::min_jacobian};
+constexpr std::array lists{&model::Step::pressures_Pa,    &model::Step::volumes_m3,
+                           &model::Step::outputs,         &model::Step::tangent_pressures,
+                           &model::Step::tangent_volumes, &model::Step::tangent_outputs,
+                           &model::Step::output_errors,   &model::Step::frequencies_Hz};
+constexpr std::array counts{&model::Step::stage, &model::Step::newton_iterations, &model::Step::factorizations};
 
-using Motion = solution::Step::Motion;
+using Motion = model::Step::Motion;
 constexpr std::array motion_numbers{&Motion::time_s, &Motion::kinetic_energy_J, &Motion::stored_energy_J,
                                     &Motion::load_work_J, &Motion::damping_work_J};
 
 /// Members of a solver state and of the loads at the start of a stage.
-constexpr std::array state_lists{&solution::StatePoint::unknowns, &solution::StatePoint::tangent_unknowns,
-                                 &solution::StatePoint::pressures_Pa, &solution::StatePoint::tangent_pressures,
-                                 &solution::StatePoint::outputs};
-constexpr std::array state_numbers{&solution::StatePoint::load_factor, &solution::StatePoint::tangent_load_factor,
-                                   &solution::StatePoint::power, &solution::StatePoint::q,
-                                   &solution::StatePoint::load_work_J};
-constexpr std::array start_lists{&solution::StageStart::pressures_Pa, &solution::StageStart::volumes_m3,
-                                 &solution::StageStart::masses_kg,    &solution::StageStart::tractions,
-                                 &solution::StageStart::body_forces,  &solution::StageStart::motions};
-constexpr std::array checkpoint_numbers{&solution::Checkpoint::step, &solution::Checkpoint::first_step,
-                                        &solution::Checkpoint::work_before_stage_J, &solution::Checkpoint::first_slope};
-constexpr std::array checkpoint_counts{&solution::Checkpoint::ranks,
-                                       &solution::Checkpoint::rows,
-                                       &solution::Checkpoint::stage,
-                                       &solution::Checkpoint::stage_first_row,
-                                       &solution::Checkpoint::control,
-                                       &solution::Checkpoint::confirmed_pivots,
-                                       &solution::Checkpoint::pending_factorizations};
-constexpr std::array checkpoint_flags{&solution::Checkpoint::user_control_failed, &solution::Checkpoint::on_branch};
+constexpr std::array state_lists{&model::StatePoint::unknowns, &model::StatePoint::tangent_unknowns,
+                                 &model::StatePoint::pressures_Pa, &model::StatePoint::tangent_pressures,
+                                 &model::StatePoint::outputs};
+constexpr std::array state_numbers{&model::StatePoint::load_factor, &model::StatePoint::tangent_load_factor,
+                                   &model::StatePoint::power, &model::StatePoint::q, &model::StatePoint::load_work_J};
+constexpr std::array start_lists{&model::StageStart::pressures_Pa, &model::StageStart::volumes_m3,
+                                 &model::StageStart::masses_kg,    &model::StageStart::tractions,
+                                 &model::StageStart::body_forces,  &model::StageStart::motions};
+constexpr std::array checkpoint_numbers{&model::Checkpoint::step, &model::Checkpoint::first_step,
+                                        &model::Checkpoint::work_before_stage_J, &model::Checkpoint::first_slope};
+constexpr std::array checkpoint_counts{&model::Checkpoint::ranks,
+                                       &model::Checkpoint::rows,
+                                       &model::Checkpoint::stage,
+                                       &model::Checkpoint::stage_first_row,
+                                       &model::Checkpoint::control,
+                                       &model::Checkpoint::confirmed_pivots,
+                                       &model::Checkpoint::pending_factorizations};
+constexpr std::array checkpoint_flags{&model::Checkpoint::user_control_failed, &model::Checkpoint::on_branch};
 
 /// Fails to compile if a struct gets a member that is not stored here. A resumed path would otherwise differ.
-[[maybe_unused]] void every_member_is_kept(const solution::Step& step, const solution::Checkpoint& checkpoint) {
+[[maybe_unused]] void every_member_is_kept(const model::Step& step, const model::Checkpoint& checkpoint) {
     [[maybe_unused]] const auto& [s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12, s13, s14, s15, s16, s17, s18, s19,
                                   s20, extremes, energies, motion, s21, s22, s23] = step;
     [[maybe_unused]] const auto& [x1, x2] = *extremes;
@@ -146,7 +144,7 @@ constexpr std::array checkpoint_flags{&solution::Checkpoint::user_control_failed
 
 }  // namespace
 
-std::vector<std::byte> encode_step(const solution::Step& step, std::span<const double> displacement,
+std::vector<std::byte> encode_step(const model::Step& step, std::span<const double> displacement,
                                    std::span<const double> pressure) {
     Packer packer;
     for (const auto member : counts) packer.put(std::int64_t{step.*member});
@@ -179,7 +177,7 @@ std::vector<std::byte> encode_step(const solution::Step& step, std::span<const d
 JournalStep decode_step(std::span<const std::byte> payload, std::string_view source) {
     Unpacker unpacker{payload, source};
     JournalStep record;
-    solution::Step& step = record.step;
+    model::Step& step = record.step;
     for (const auto member : counts) step.*member = unpacker.get_count();
     for (const auto member : numbers) step.*member = unpacker.get<double>();
     for (const auto member : lists) step.*member = unpacker.get_list();
@@ -189,16 +187,16 @@ JournalStep decode_step(std::span<const std::byte> payload, std::string_view sou
     const bool has_control = unpacker.get_flag(), stable_under_control = unpacker.get_flag();
     if (has_control) step.stable_under_control = stable_under_control;
     if (unpacker.get_flag()) {
-        step.motion = solution::Step::Motion{};
+        step.motion = model::Step::Motion{};
         for (const auto member : motion_numbers) (*step.motion).*member = unpacker.get<double>();
     }
     if (unpacker.get_flag()) {
-        step.extremes = solution::Step::Extremes{};
+        step.extremes = model::Step::Extremes{};
         for (double& component : step.extremes->stretch_at_m) component = unpacker.get<double>();
         step.extremes->energy_J_m3 = unpacker.get<double>();
     }
     if (unpacker.get_flag()) {
-        solution::Step::Energies energies;
+        model::Step::Energies energies;
         energies.stored_J = unpacker.get<double>();
         energies.load_work_J = unpacker.get<double>();
         energies.tangent_J = unpacker.get_optional();
@@ -212,29 +210,29 @@ JournalStep decode_step(std::span<const std::byte> payload, std::string_view sou
 
 namespace {
 
-void put_state(Packer& packer, const solution::StatePoint& point) {
+void put_state(Packer& packer, const model::StatePoint& point) {
     for (const auto member : state_lists) packer.put_list(point.*member);
     for (const auto member : state_numbers) packer.put(point.*member);
     packer.put_optional(point.unstable_modes ? std::optional<double>(*point.unstable_modes) : std::nullopt);
 }
 
-solution::StatePoint get_state(Unpacker& unpacker) {
-    solution::StatePoint point;
+model::StatePoint get_state(Unpacker& unpacker) {
+    model::StatePoint point;
     for (const auto member : state_lists) point.*member = unpacker.get_list();
     for (const auto member : state_numbers) point.*member = unpacker.get<double>();
     if (const auto modes = unpacker.get_optional()) point.unstable_modes = static_cast<int>(*modes);
     return point;
 }
 
-void put_point(Packer& packer, const solution::LimitPoint& point) {
+void put_point(Packer& packer, const model::LimitPoint& point) {
     packer.put(std::int64_t{point.step});
     packer.put(point.pressure_Pa);
     packer.put_optional(point.volume_m3);
     packer.put_list(point.outputs);
 }
 
-solution::LimitPoint get_point(Unpacker& unpacker) {
-    solution::LimitPoint point;
+model::LimitPoint get_point(Unpacker& unpacker) {
+    model::LimitPoint point;
     point.step = unpacker.get_count();
     point.pressure_Pa = unpacker.get<double>();
     point.volume_m3 = unpacker.get_optional();
@@ -243,7 +241,7 @@ solution::LimitPoint get_point(Unpacker& unpacker) {
 }
 
 /// Without the stop reason, which an unfinished path does not have.
-void put_end(Packer& packer, const solution::PathEnd& end) {
+void put_end(Packer& packer, const model::PathEnd& end) {
     packer.put(std::int64_t{end.newton_iterations});
     packer.put(std::int64_t{end.factorizations});
     packer.put(static_cast<std::uint64_t>(end.limit_points.size()));
@@ -256,8 +254,8 @@ void put_end(Packer& packer, const solution::PathEnd& end) {
     }
 }
 
-solution::PathEnd get_end(Unpacker& unpacker) {
-    solution::PathEnd end;
+model::PathEnd get_end(Unpacker& unpacker) {
+    model::PathEnd end;
     end.newton_iterations = unpacker.get_count();
     end.factorizations = unpacker.get_count();
     for (auto left = unpacker.get<std::uint64_t>(); left > 0; --left) end.limit_points.push_back(get_point(unpacker));
@@ -272,7 +270,7 @@ solution::PathEnd get_end(Unpacker& unpacker) {
 
 }  // namespace
 
-std::vector<std::byte> encode_checkpoint(const solution::Checkpoint& checkpoint) {
+std::vector<std::byte> encode_checkpoint(const model::Checkpoint& checkpoint) {
     Packer packer;
     for (const auto member : checkpoint_counts) packer.put(std::int64_t{checkpoint.*member});
     packer.put(checkpoint.controlled);
@@ -287,9 +285,9 @@ std::vector<std::byte> encode_checkpoint(const solution::Checkpoint& checkpoint)
     return packer.take();
 }
 
-solution::Checkpoint decode_checkpoint(std::span<const std::byte> payload, std::string_view source) {
+model::Checkpoint decode_checkpoint(std::span<const std::byte> payload, std::string_view source) {
     Unpacker unpacker{payload, source};
-    solution::Checkpoint checkpoint;
+    model::Checkpoint checkpoint;
     for (const auto member : checkpoint_counts) checkpoint.*member = unpacker.get_count();
     checkpoint.controlled = unpacker.get_count();
     for (const auto member : checkpoint_flags) checkpoint.*member = unpacker.get_flag();

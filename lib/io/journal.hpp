@@ -7,24 +7,24 @@
 #include <string_view>
 #include <vector>
 
-#include "solution/checkpoint.hpp"
-#include "solution/path.hpp"
+#include "model/checkpoint.hpp"
+#include "model/path.hpp"
 
 namespace soft::io {
 
 struct JournalStep {
-    solution::Step step;
+    model::Step step;
     std::vector<double> displacement_m;  ///< [point, 3], or empty
     std::vector<double> pressure_Pa;     ///< [point], or empty
 };
 
-[[nodiscard]] std::vector<std::byte> encode_step(const solution::Step& step, std::span<const double> displacement,
+[[nodiscard]] std::vector<std::byte> encode_step(const model::Step& step, std::span<const double> displacement,
                                                  std::span<const double> pressure);
 /// Throws Error (bad_input) if the payload does not have this layout or contains non-finite values.
 [[nodiscard]] JournalStep decode_step(std::span<const std::byte> payload, std::string_view source);
 
-[[nodiscard]] std::vector<std::byte> encode_checkpoint(const solution::Checkpoint& checkpoint);
+[[nodiscard]] std::vector<std::byte> encode_checkpoint(const model::Checkpoint& checkpoint);
 /// Throws Error (bad_input) if the payload does not have this layout or contains non-finite values.
-[[nodiscard]] solution::Checkpoint decode_checkpoint(std::span<const std::byte> payload, std::string_view source);
+[[nodiscard]] model::Checkpoint decode_checkpoint(std::span<const std::byte> payload, std::string_view source);
 
 }  // namespace soft::io

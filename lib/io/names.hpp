@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "model/case.hpp"
-#include "solution/path.hpp"
+#include "model/path.hpp"
 
 namespace soft::io {
 
@@ -134,12 +134,12 @@ inline constexpr std::array integrator_names{
     Named{model::Integrator::central_difference, std::string_view{"central_difference"}},
 };
 inline constexpr std::array stop_reason_names{
-    Named{solution::StopReason::done, name(solution::StopReason::done)},
-    Named{solution::StopReason::limit_point, name(solution::StopReason::limit_point)},
-    Named{solution::StopReason::diverged, name(solution::StopReason::diverged)},
-    Named{solution::StopReason::inverted_element, name(solution::StopReason::inverted_element)},
-    Named{solution::StopReason::self_contact, name(solution::StopReason::self_contact)},
-    Named{solution::StopReason::step_limit, name(solution::StopReason::step_limit)},
+    Named{model::StopReason::done, name(model::StopReason::done)},
+    Named{model::StopReason::limit_point, name(model::StopReason::limit_point)},
+    Named{model::StopReason::diverged, name(model::StopReason::diverged)},
+    Named{model::StopReason::inverted_element, name(model::StopReason::inverted_element)},
+    Named{model::StopReason::self_contact, name(model::StopReason::self_contact)},
+    Named{model::StopReason::step_limit, name(model::StopReason::step_limit)},
 };
 
 template <class Enum, std::size_t count>

@@ -9,9 +9,9 @@
 namespace soft::io {
 namespace {
 
-using solution::Bifurcation;
-using solution::LimitPoint;
-using solution::PathEnd;
+using model::Bifurcation;
+using model::LimitPoint;
+using model::PathEnd;
 
 std::vector<LimitPoint> positions_of(const std::vector<Bifurcation>& bifurcations) {
     return column(bifurcations, [](const Bifurcation& bifurcation) { return bifurcation.at; });

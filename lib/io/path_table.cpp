@@ -10,7 +10,7 @@
 namespace soft::io {
 namespace {
 
-using solution::Step;
+using model::Step;
 
 /// One table is used for writing, reading and checking, so that the three cannot diverge.
 struct NumberColumn {
@@ -125,7 +125,7 @@ void write_times(hid_t path, std::span<const Step> steps, const model::Case& mod
 
 void read_times(const GroupReader& path, std::vector<Step>& steps, const model::Case& model) {
     if (!model.dynamics) return;
-    for (Step& step : steps) step.motion = solution::Step::Motion{};
+    for (Step& step : steps) step.motion = model::Step::Motion{};
     for (const MotionColumn& column : motion_columns) {
         const auto values = path.array<double>(column.name, {extent(steps.size())});
         for (std::size_t i = 0; i < steps.size(); ++i) (*steps[i].motion).*column.member = values[i];
@@ -148,8 +148,8 @@ void write_optional(hid_t path, std::span<const Step> steps) {
 
 void read_optional(const GroupReader& path, std::vector<Step>& steps, const model::Case& model) {
     for (Step& step : steps) {
-        if (path.has("max_energy_density")) step.extremes = solution::Step::Extremes{};
-        if (path.has("stored_energy") && !model.dynamics) step.energies = solution::Step::Energies{};
+        if (path.has("max_energy_density")) step.extremes = model::Step::Extremes{};
+        if (path.has("stored_energy") && !model.dynamics) step.energies = model::Step::Energies{};
     }
     for (const OptionalColumn& column : optional_columns) {
         if (steps.empty() || column.find(steps.front()) == nullptr) continue;

@@ -14,8 +14,8 @@
 #include "io/case_file.hpp"
 #include "io/provenance.hpp"
 #include "model/case.hpp"
-#include "solution/checkpoint.hpp"
-#include "solution/path.hpp"
+#include "model/checkpoint.hpp"
+#include "model/path.hpp"
 
 namespace soft::io {
 
@@ -74,15 +74,15 @@ public:
     /// `displacement` [point, 3] in m, `pressure` [point] in Pa or empty (then for every step). The first step determines whether the
     /// steps have volumes and pressures. Throws Error (internal) for a step that is not finite or does not match the case or the
     /// previous steps, Error (io_error) if the disk is full.
-    void append(const solution::Step& step, std::span<const double> displacement, std::span<const double> pressure);
+    void append(const model::Step& step, std::span<const double> displacement, std::span<const double> pressure);
 
     /// Stores the state from which the solver can continue after the last appended step. Does nothing in memory. Errors as append().
-    void save_checkpoint(const solution::Checkpoint& checkpoint);
+    void save_checkpoint(const model::Checkpoint& checkpoint);
 
     /// Replaces the steps appended so far by those of `rows`, a writer in memory for the same case and options. append() must not be
     /// called afterwards. FILE is replaced, by renaming, with the complete result of these rows and `end`, and stays locked. publish()
     /// can be called again; finish() returns the last result. A target that is not a regular file is written only at finish().
-    void publish(ResultWriter rows, const solution::PathEnd& end);
+    void publish(ResultWriter rows, const model::PathEnd& end);
 
     /// False if FILE has been removed or replaced by another file since the writer created it. Steps appended since then are not in a
     /// file that can be opened. finish() creates FILE again.
@@ -90,7 +90,7 @@ public:
 
     /// Writes the path and its end (those of the last publish(), if it was called). Returns the complete result; on disk it is also
     /// written to FILE. Must be the last call. Throws Error (internal) if there is no step, because read_result() would reject the file.
-    std::vector<std::byte> finish(const solution::PathEnd& end);
+    std::vector<std::byte> finish(const model::PathEnd& end);
 
 private:
     struct State;
@@ -126,8 +126,8 @@ struct Result {
     std::optional<DesignText> changed_design;  ///< with the overrides of solve applied, if there were any
     FieldsPolicy fields_policy;
     std::vector<Provenance> provenance;  ///< in alphabetical order of the tools
-    std::vector<solution::Step> steps;
-    std::optional<solution::PathEnd> end;  ///< empty: solve was killed or is still running
+    std::vector<model::Step> steps;
+    std::optional<model::PathEnd> end;  ///< empty: solve was killed or is still running
     FieldReader fields;
 };
 
@@ -135,9 +135,9 @@ struct Result {
 struct InterruptedSolve {
     CaseFile file;  ///< its model as it was solved, with the overrides of solve applied
     std::optional<DesignText> changed_design;
-    std::vector<solution::Step> steps;  ///< up to the checkpoint
+    std::vector<model::Step> steps;  ///< up to the checkpoint
     /// Empty if killed before the first checkpoint: start from the beginning.
-    std::optional<solution::Checkpoint> checkpoint;
+    std::optional<model::Checkpoint> checkpoint;
 };
 
 /// Throws Error (bad_input) for a case, a finished result or a damaged file.

@@ -129,7 +129,7 @@ ResultImage ResultImage::resume(const SolveInput& given) {
 
 std::vector<std::byte> ResultImage::bytes() const { return memory_image(file_.get()); }
 
-void ResultImage::require_consistent(const solution::Step& step, std::span<const double> displacement,
+void ResultImage::require_consistent(const model::Step& step, std::span<const double> displacement,
                                      std::span<const double> pressure) const {
     require_valid(step, solved_);
     if (!steps_.empty() && step.volume_m3.has_value() != steps_[0].volume_m3.has_value())
@@ -146,7 +146,7 @@ void ResultImage::require_consistent(const solution::Step& step, std::span<const
     require_finite(pressure, "/fields/pressure");
 }
 
-void ResultImage::append(const solution::Step& step, std::span<const double> displacement,
+void ResultImage::append(const model::Step& step, std::span<const double> displacement,
                          std::span<const double> pressure) {
     using Keep = FieldsPolicy::Keep;
     if (policy_.keep == Keep::none) {
@@ -178,7 +178,7 @@ void ResultImage::write_fields(std::int64_t row, std::span<const double> displac
     stored_rows_.push_back(row);
 }
 
-void ResultImage::finish(const std::optional<solution::PathEnd>& end) {
+void ResultImage::finish(const std::optional<model::PathEnd>& end) {
     if (end && steps_.empty()) throw Error(ExitCode::internal, "/path", "the path has no row");
     if (!last_displacement_.empty())
         write_fields(static_cast<std::int64_t>(steps_.size()) - 1, last_displacement_, last_pressure_);

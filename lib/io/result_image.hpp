@@ -25,14 +25,14 @@ public:
     /// The current HDF5 file, without seal.
     [[nodiscard]] std::vector<std::byte> bytes() const;
 
-    void append(const solution::Step& step, std::span<const double> displacement, std::span<const double> pressure);
+    void append(const model::Step& step, std::span<const double> displacement, std::span<const double> pressure);
     /// Writes the path. Without `end` it is marked as the path of a killed solver.
-    void finish(const std::optional<solution::PathEnd>& end);
+    void finish(const std::optional<model::PathEnd>& end);
 
 private:
     ResultImage() = default;
     static ResultImage open(const SolveInput& given);
-    void require_consistent(const solution::Step& step, std::span<const double> displacement,
+    void require_consistent(const model::Step& step, std::span<const double> displacement,
                             std::span<const double> pressure) const;
     void write_fields(std::int64_t row, std::span<const double> displacement, std::span<const double> pressure);
 
@@ -40,7 +40,7 @@ private:
     std::size_t points_ = 0;
     model::Case solved_;  ///< without mesh
     FieldsPolicy policy_;
-    std::vector<solution::Step> steps_;
+    std::vector<model::Step> steps_;
     bool has_pressure_ = false;  ///< set by the first step
     DatasetHandle displacement_;
     DatasetHandle pressure_;

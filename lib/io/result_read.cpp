@@ -146,7 +146,7 @@ Result read_bare_result(std::vector<std::byte> image, const ImageParts& parts, c
     const std::size_t points = file.model.mesh.points.size();
     const GroupReader path = root.group("path");
     auto steps = read_steps(path, file.model);
-    std::optional<solution::PathEnd> end;
+    std::optional<model::PathEnd> end;
     if (path.has_attribute("stop_reason")) {
         end = read_end(path, file.model, steps.size());
         read_modes(root, *end, points);

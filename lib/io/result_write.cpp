@@ -191,7 +191,7 @@ ResultWriter::~ResultWriter() {
     state_.reset();
 }
 
-void ResultWriter::append(const solution::Step& step, std::span<const double> displacement,
+void ResultWriter::append(const model::Step& step, std::span<const double> displacement,
                           std::span<const double> pressure) {
     const QuietErrors quiet;
     state_->image.append(step, displacement, pressure);
@@ -201,11 +201,11 @@ void ResultWriter::append(const solution::Step& step, std::span<const double> di
     state_->append_record(RecordKind::step, payload);
 }
 
-void ResultWriter::save_checkpoint(const solution::Checkpoint& checkpoint) {
+void ResultWriter::save_checkpoint(const model::Checkpoint& checkpoint) {
     if (state_->journal) state_->append_record(RecordKind::checkpoint, encode_checkpoint(checkpoint));
 }
 
-void ResultWriter::publish(ResultWriter rows, const solution::PathEnd& end) {
+void ResultWriter::publish(ResultWriter rows, const model::PathEnd& end) {
     state_->published = rows.finish(end);
     if (!state_->journal) return;
     state_->was_in_place = is_in_place();
@@ -221,7 +221,7 @@ bool ResultWriter::is_in_place() const {
     return !state_->journal || state_->unnamed || (state_->was_in_place && state_->journal->is_in_place());
 }
 
-std::vector<std::byte> ResultWriter::finish(const solution::PathEnd& end) {
+std::vector<std::byte> ResultWriter::finish(const model::PathEnd& end) {
     const QuietErrors quiet;
     std::vector<std::byte> bytes = std::move(state_->published);
     if (bytes.empty()) {

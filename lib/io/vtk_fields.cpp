@@ -9,11 +9,11 @@
 namespace soft::io {
 namespace {
 
-void write_arrays(hid_t parent, const char* name, std::int64_t rows, std::span<const solution::NamedArray> arrays) {
+void write_arrays(hid_t parent, const char* name, std::int64_t rows, std::span<const model::NamedArray> arrays) {
     if (H5Lexists(parent, name, H5P_DEFAULT) > 0 && H5Ldelete(parent, name, H5P_DEFAULT) < 0)
         throw Error(ExitCode::internal, name, "HDF5 cannot remove the group: " + hdf5_reason());
     const GroupHandle group = create_group(parent, name, "fields of one step, for ParaView");
-    for (const solution::NamedArray& array : arrays) {
+    for (const model::NamedArray& array : arrays) {
         std::vector<hsize_t> shape{static_cast<hsize_t>(rows)};
         if (array.components > 1) shape.push_back(static_cast<hsize_t>(array.components));
         write_array<double>(group.get(), {array.name, array.units, array.description}, array.values, shape);
@@ -23,8 +23,8 @@ void write_arrays(hid_t parent, const char* name, std::int64_t rows, std::span<c
 }  // namespace
 
 std::vector<std::byte> with_vtk_fields(std::span<const std::byte> image, std::string_view source,
-                                       std::span<const solution::NamedArray> at_points,
-                                       std::span<const solution::NamedArray> at_cells) {
+                                       std::span<const model::NamedArray> at_points,
+                                       std::span<const model::NamedArray> at_cells) {
     const ImageParts parts = split_image(image, source);
     const Origin origin{std::string{source}, image.size()};
     const FileHandle file = open_memory_copy(parts.hdf5);

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "solution/named_array.hpp"
+#include "model/named_array.hpp"
 
 namespace soft::io {
 
@@ -14,7 +14,7 @@ namespace soft::io {
 /// steps of an unfinished path. Arrays of an earlier copy are replaced. Throws Error(bad_input) as read_case does, and
 /// Error(internal) for arrays whose size does not match the mesh.
 [[nodiscard]] std::vector<std::byte> with_vtk_fields(std::span<const std::byte> image, std::string_view source,
-                                                     std::span<const solution::NamedArray> at_points,
-                                                     std::span<const solution::NamedArray> at_cells);
+                                                     std::span<const model::NamedArray> at_points,
+                                                     std::span<const model::NamedArray> at_cells);
 
 }  // namespace soft::io

@@ -7,7 +7,7 @@
 #include <array>
 #include <utility>
 
-#include "core/tensor.hpp"
+#include "math/tensor.hpp"
 
 namespace soft::material {
 

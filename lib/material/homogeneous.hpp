@@ -10,8 +10,8 @@
 /// Source: Treloar, The Physics of Rubber Elasticity (1975), 4-5. Tested by material/homogeneous_test.
 #include <optional>
 
-#include "core/tensor.hpp"
 #include "material/law.hpp"
+#include "math/tensor.hpp"
 
 namespace soft::material {
 

@@ -21,8 +21,6 @@
 #include <tuple>
 #include <variant>
 
-#include "core/dual.hpp"
-#include "core/tensor.hpp"
 #include "material/arruda_boyce.hpp"
 #include "material/fibers.hpp"
 #include "material/form.hpp"
@@ -36,6 +34,8 @@
 #include "material/ogden.hpp"
 #include "material/saint_venant_kirchhoff.hpp"
 #include "material/yeoh.hpp"
+#include "math/dual.hpp"
+#include "math/tensor.hpp"
 
 namespace soft::material {
 

@@ -2,12 +2,12 @@
 /// Evaluation of a law at many points: the same results as response.hpp for one point. The kinematics and the chain rules are
 /// vectorised over the points; only the derivatives of the energy are computed point by point. Component c of point q is stored at
 /// [c * stride + q].
-/// Tested by material/point_batch_test (every law against response.hpp) and, through the elements, by element/matrix_test.
+/// Tested by material/point_batch_test (every law against response.hpp) and, through the elements, by fem/matrix_test.
 #include <span>
 #include <vector>
 
-#include "core/lanes.hpp"
 #include "material/response.hpp"
+#include "math/lanes.hpp"
 
 namespace soft::material {
 

@@ -10,10 +10,10 @@
 #include <array>
 #include <cmath>
 
-#include "core/dual.hpp"
-#include "core/spectral.hpp"
-#include "core/tensor.hpp"
 #include "material/invariants.hpp"
+#include "math/dual.hpp"
+#include "math/spectral.hpp"
+#include "math/tensor.hpp"
 
 namespace soft::material {
 

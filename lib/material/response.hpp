@@ -10,11 +10,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/dual.hpp"
-#include "core/tensor.hpp"
 #include "material/chain_rule.hpp"
 #include "material/law.hpp"
 #include "material/principal.hpp"
+#include "math/dual.hpp"
+#include "math/tensor.hpp"
 
 namespace soft::material {
 

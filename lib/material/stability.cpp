@@ -5,9 +5,9 @@
 #include <cmath>
 #include <optional>
 
-#include "core/spectral.hpp"
 #include "core/text.hpp"
 #include "material/response.hpp"
+#include "math/spectral.hpp"
 
 namespace soft::material {
 namespace {

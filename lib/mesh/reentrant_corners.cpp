@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "core/tensor.hpp"
+#include "math/tensor.hpp"
 #include "mesh/shape.hpp"
 
 namespace soft::mesh {

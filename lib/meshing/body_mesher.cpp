@@ -18,7 +18,6 @@ namespace soft::meshing {
 namespace {
 
 using mesh::Index;
-using surface::Remeshed;
 
 constexpr double mm = 1e3;  // gmsh's tolerances assume lengths of order 1
 
@@ -42,7 +41,7 @@ std::vector<int> shells_of(const Remeshed& surface) {
 }
 
 double volume_m3(const Remeshed& surface) {
-    surface::BodySurface plain;
+    BodySurface plain;
     plain.points = surface.points;
     plain.triangles = surface.triangles;
     return plain.volume_m3();
@@ -101,8 +100,8 @@ std::optional<mesh::Mesh> filled(const Remeshed& surface, GmshSession::Filling f
 using Edge = std::array<Index, 2>;
 
 /// Target positions of the mid nodes of boundary edges on the surface of the file, by node number.
-std::map<Index, mesh::Point> mid_node_targets(const mesh::Mesh& mesh, const Remeshed& remeshed,
-                                              const surface::BodySurface& body, const surface::Creases& creases) {
+std::map<Index, mesh::Point> mid_node_targets(const mesh::Mesh& mesh, const Remeshed& remeshed, const BodySurface& body,
+                                              const Creases& creases) {
     const surface::NearestOnTriangles on_surface(body.points, body.triangles);
     std::optional<surface::NearestOnSegments> on_lines;
     if (!creases.empty()) on_lines.emplace(body.points, creases);
@@ -168,7 +167,7 @@ void curve(mesh::Mesh& mesh, const std::map<Index, mesh::Point>& targets) {
     }
 }
 
-void name_facets(mesh::Mesh& mesh, const surface::BodySurface& body, const std::vector<surface::NamedFace>& faces) {
+void name_facets(mesh::Mesh& mesh, const BodySurface& body, const std::vector<NamedFace>& faces) {
     const surface::NearestOnTriangles on_surface(body.points, body.triangles);
     for (const mesh::Facet& facet : boundary_facets(mesh)) {
         const auto nodes = facet_nodes(mesh, facet);
@@ -176,18 +175,18 @@ void name_facets(mesh::Mesh& mesh, const surface::BodySurface& body, const std::
         for (std::size_t k = 0; k < 3; ++k)
             for (std::size_t d = 0; d < 3; ++d) centre[d] += mesh.point(nodes[k])[d] / 3;
         const auto nearest = static_cast<std::size_t>(on_surface(centre).element);
-        for (const surface::NamedFace& face : faces)
+        for (const NamedFace& face : faces)
             if (face.facets[nearest]) mesh.facet_sets[face.name].push_back(facet);
     }
 }
 
 }  // namespace
 
-mesh::Mesh mesh_inside(const MeshedBody& body, const surface::SizeAt& size_m) {
+mesh::Mesh mesh_inside(const MeshedBody& body, const SizeAt& size_m) {
     constexpr std::size_t max_points =
         200000;  // on the surface; they give a million tetrahedra or more, too many to solve
     constexpr int attempts = 3;
-    const surface::Creases creases = creases_of(body.surface, body.faces);
+    const Creases creases = creases_of(body.surface, body.faces);
     double factor = 1;
     for (int attempt = 0; attempt < attempts; ++attempt, factor *= 0.7) {
         const Remeshed remeshed = remesh(

@@ -42,9 +42,9 @@ std::vector<double> cad_numbers(const std::string& file) {
 }
 
 /// Merges the corners of triangles given by nine coordinates each.
-surface::FacetSoup joined(std::span<const double> corners) {
+FacetSoup joined(std::span<const double> corners) {
     constexpr double same = 1e-8;  // mm: smaller differences are rounding
-    surface::FacetSoup soup;
+    FacetSoup soup;
     std::map<std::array<long long, 3>, std::size_t> numbers;
     for (std::size_t n = 0; n + 2 < corners.size(); n += 3) {
         const mesh::Point p{corners[n], corners[n + 1], corners[n + 2]};
@@ -57,10 +57,9 @@ surface::FacetSoup joined(std::span<const double> corners) {
     return soup;
 }
 
-surface::FacetSoup triangles_of_cad(const std::filesystem::path& path) {
+FacetSoup triangles_of_cad(const std::filesystem::path& path) {
     constexpr core::SubprocessLimits limits{.wall = std::chrono::minutes{5}};  // parts take seconds
-    static_cast<void>(
-        core::read_regular_file(path, surface::max_file));  // throws with the reason if it cannot be opened
+    static_cast<void>(core::read_regular_file(path, max_file));  // throws with the reason if it cannot be opened
     const core::SubprocessOutcome end =
         core::run_in_subprocess([&] { return bytes_of(cad_numbers(path.string())); }, limits);
     const auto refuse = [&](const std::string& problem, const std::string& remedy) {
@@ -74,7 +73,7 @@ surface::FacetSoup triangles_of_cad(const std::filesystem::path& path) {
     if (solids == 0) refuse("it contains no solid", "export a solid, not its faces");
     if (solids != 1)
         refuse(core::rounded_text(solids, 6) + " solids in one file", "unite them, or use one file for each");
-    surface::FacetSoup soup = joined(std::span{numbers}.subspan(1));
+    FacetSoup soup = joined(std::span{numbers}.subspan(1));
     if (soup.facets.empty()) refuse("gmsh could not triangulate its faces", "export the part again as STEP, or as STL");
     return soup;
 }
@@ -87,23 +86,22 @@ bool is_cad_file(const std::filesystem::path& path) {
     return ending == ".step" || ending == ".stp";
 }
 
-bool is_part_file(const std::filesystem::path& path) { return is_cad_file(path) || surface::is_surface_file(path); }
+bool is_part_file(const std::filesystem::path& path) { return is_cad_file(path) || is_surface_file(path); }
 
 Part read_part(const std::filesystem::path& path, const std::string& unit, double unit_m) {
     const bool cad = is_cad_file(path);
-    const surface::SoupOrigin origin =
-        cad ? surface::SoupOrigin{path.string()} : surface::SoupOrigin{path.string(), unit, unit_m};
-    surface::FacetSoup soup = cad ? triangles_of_cad(path) : surface::read_soup(path);
+    const SoupOrigin origin = cad ? SoupOrigin{path.string()} : SoupOrigin{path.string(), unit, unit_m};
+    FacetSoup soup = cad ? triangles_of_cad(path) : read_soup(path);
     if (soup.facets.size() > max_facets)
         throw Error(ExitCode::bad_input, origin.name,
                     std::to_string(soup.facets.size()) + " facets are more than " + std::to_string(max_facets),
                     "export the part with a coarser tolerance");
-    return {origin, surface::body_surface(std::move(soup), origin)};
+    return {origin, body_surface(std::move(soup), origin)};
 }
 
 Part read_obj(const std::string& lines, const std::string& unit, double unit_m) {
-    const surface::SoupOrigin origin{"OBJ in the design", unit, unit_m};
-    return {origin, surface::body_surface(surface::read_soup(lines, origin.name + ".obj"), origin)};
+    const SoupOrigin origin{"OBJ in the design", unit, unit_m};
+    return {origin, body_surface(read_soup(lines, origin.name + ".obj"), origin)};
 }
 
 }  // namespace soft::meshing

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "surface/body_surface.hpp"
+#include "meshing/body_surface.hpp"
 
 namespace soft::meshing {
 
@@ -14,11 +14,11 @@ namespace soft::meshing {
 [[nodiscard]] bool is_cad_file(const std::filesystem::path& path);
 
 struct Part {
-    surface::SoupOrigin origin;
-    surface::BodySurface surface;
+    SoupOrigin origin;
+    BodySurface surface;
 };
 /// STEP files define their own unit; `unit` ("mm") and its length apply to the other formats. Throws Error(cannot_open), and
-/// Error(bad_input) with the file for surfaces that surface/body_surface.hpp rejects, CAD with no or several solids, and more than
+/// Error(bad_input) with the file for surfaces that meshing/body_surface.hpp rejects, CAD with no or several solids, and more than
 /// 2 million facets.
 [[nodiscard]] Part read_part(const std::filesystem::path& path, const std::string& unit, double unit_m);
 /// The same for the lines of an OBJ file.

@@ -3,7 +3,11 @@
 #include <array>
 #include <cmath>
 
+#include "math/vector.hpp"
+
 namespace soft::meshing {
+
+using soft::along, soft::cross, soft::dot, soft::norm;  // of three components
 
 using PlanePoint = std::array<double, 2>;
 

@@ -1,6 +1,6 @@
 #pragma once
 /// The surface of a cavity as facets, and the rims of its openings.
-/// Tested by surface/volume_test and assembly/system_test.
+/// Tested by surface/volume_test and fem/system_test.
 #include <span>
 #include <vector>
 

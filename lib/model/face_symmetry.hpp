@@ -1,7 +1,7 @@
 #pragma once
 /// Relation between a face of the mesh and the face of the whole actuator. If a face touches a symmetry plane without lying in it,
 /// the face and its mirror image form one face that is twice as large. If it does not touch the plane, its mirror image is a
-/// separate face. Tested by assembly/reaction_test.
+/// separate face. Tested by fem/reaction_test.
 #include <array>
 #include <string>
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Formats positions for messages, in the coordinates of the kinematics. Tested by surface/report_test and fields/path_warnings_test.
+/// Formats positions for messages, in the coordinates of the kinematics. Tested by surface/report_test and post/path_warnings_test.
 #include <string>
 
 #include "model/case.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 /// Creates the constitutive law from a case's material (law name and constants).
-/// Tested by assembly/system_test, design/material_test.
+/// Tested by fem/system_test, design/material_test.
 #include "material/catalogue.hpp"
 #include "model/case.hpp"
 

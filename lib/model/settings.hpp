@@ -6,7 +6,7 @@ namespace soft::model {
 
 /// Solution of the linear systems in Newton's method.
 ///   automatic: LDL^T by CHOLMOD if the factorisation is cheap, else by MUMPS; LU if the tangent is not symmetric enough
-///       (linalg/linear_solver.hpp); krylov with multigrid if a solid is too large to factorise (assembly/element_levels.hpp)
+///       (linalg/linear_solver.hpp); krylov with multigrid if a solid is too large to factorise (fem/element_levels.hpp)
 ///   mumps_ldlt, mumps_lu, superlu_dist, cholmod: that factorisation; cholmod requires a positive definite tangent and one rank
 ///   krylov: flexible GMRES on the assembled tangent         jacobian_free: flexible GMRES on finite differences of the residual
 enum class LinearMethod { automatic, mumps_ldlt, mumps_lu, superlu_dist, cholmod, krylov, jacobian_free };
@@ -48,7 +48,7 @@ struct SolverSettings {
     TangentSource tangent = TangentSource::exact;
     int newton_limit = 16;  ///< maximum iterations per step
     LinearSettings linear;
-    bool scaling = true;  ///< pressure unknowns are scaled to displacements (assembly/dof_map.hpp); false: in Pa
+    bool scaling = true;  ///< pressure unknowns are scaled to displacements (fem/dof_map.hpp); false: in Pa
     int threads = 1;      ///< threads per rank in the element loops; the order of summation does not depend on it
     StepRule steps = StepRule::error_adaptive;
     Predictor predictor = Predictor::cubic;
@@ -62,7 +62,7 @@ struct SolverSettings {
     double step_accuracy = 2e-3;  ///< target relative error of the predictor; smaller = denser steps
 };
 
-/// Time integration of M a + C v + R(x, t) = 0 (dynamics/motion.hpp).
+/// Time integration of M a + C v + R(x, t) = 0 (solver/motion.hpp).
 enum class Integrator {
     generalized_alpha,  ///< Chung and Hulbert 1993, second order, damps frequencies that the step does not resolve
     hht,                ///< Hilber, Hughes and Taylor 1977

@@ -34,13 +34,13 @@ double deviation(const std::vector<double>& numbers) {
 
 bool is_prescribed(const Column& column, const Request& request) { return column.quantity == request.quantity; }
 
-std::optional<std::size_t> heading_of(const table::Table& table, const std::string& name) {
-    const auto found = std::ranges::find(table.headings, name, &table::Heading::name);
+std::optional<std::size_t> heading_of(const core::Table& table, const std::string& name) {
+    const auto found = std::ranges::find(table.headings, name, &core::Heading::name);
     if (found == table.headings.end()) return std::nullopt;
     return static_cast<std::size_t>(found - table.headings.begin());
 }
 
-std::vector<double> numbers_or_none(const table::Table& table, std::size_t column) {
+std::vector<double> numbers_or_none(const core::Table& table, std::size_t column) {
     std::vector<double> numbers;
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
         const std::string& text = table.rows[row][column];
@@ -50,12 +50,12 @@ std::vector<double> numbers_or_none(const table::Table& table, std::size_t colum
         }
         numbers.push_back(core::quantity_or_throw(
             text, core::Dimension::ratio, ExitCode::bad_input,
-            table.source + ":" + std::to_string(table.lines[row]) + ": " + table::column_text(table, column)));
+            table.source + ":" + std::to_string(table.lines[row]) + ": " + core::column_text(table, column)));
     }
     return numbers;
 }
 
-std::vector<double> widths(const table::Table& table, const std::string& name) {
+std::vector<double> widths(const core::Table& table, const std::string& name) {
     const auto column = heading_of(table, name);
     if (!column) return std::vector<double>(table.rows.size(), no_number);
     std::vector<double> numbers = numbers_or_none(table, *column);
@@ -63,7 +63,7 @@ std::vector<double> widths(const table::Table& table, const std::string& name) {
         if (numbers[row] < 0)
             throw Error(
                 ExitCode::bad_input,
-                table.source + ":" + std::to_string(table.lines[row]) + ": " + table::column_text(table, *column),
+                table.source + ":" + std::to_string(table.lines[row]) + ": " + core::column_text(table, *column),
                 "the width of the band is negative");
     return numbers;
 }
@@ -198,7 +198,7 @@ std::string band_csv(const Curve& rows, const Band& band) {
     return text;
 }
 
-Band read_band(const table::Table& table, const Curve& curve) {
+Band read_band(const core::Table& table, const Curve& curve) {
     Band band;
     bool has_width = false;
     for (std::size_t c = 0; c < curve.columns.size(); ++c) {
@@ -207,13 +207,13 @@ Band read_band(const table::Table& table, const Curve& curve) {
         if (column.role != Role::coordinate || !values) continue;
         const std::string linear = band_name(column, linear_kind), sampled = band_name(column, sampled_kind);
         if (heading_of(table, linear) || heading_of(table, sampled)) has_width = true;
-        band.widths.push_back({c, table::numbers(table, *values), widths(table, linear), widths(table, sampled)});
+        band.widths.push_back({c, core::numbers(table, *values), widths(table, linear), widths(table, sampled)});
     }
     if (!has_width)
         throw Error(ExitCode::bad_input, table.source, "has no column such as pressure_band_kPa for this curve",
                     "give a table written by scripts/uncertainty");
     if (const auto samples = heading_of(table, "samples"))
-        for (const double number : table::numbers(table, *samples)) band.samples.push_back(static_cast<int>(number));
+        for (const double number : core::numbers(table, *samples)) band.samples.push_back(static_cast<int>(number));
     return band;
 }
 

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "core/table.hpp"
 #include "post/curve.hpp"
 #include "post/request.hpp"
-#include "table/table.hpp"
 
 namespace soft::post {
 
@@ -65,6 +65,6 @@ private:
 [[nodiscard]] std::string band_csv(const Curve& rows, const Band& band);
 
 /// Throws Error (bad_input) for a table without bands of this curve, a cell that is not a number, or a negative width.
-[[nodiscard]] Band read_band(const table::Table& table, const Curve& curve);
+[[nodiscard]] Band read_band(const core::Table& table, const Curve& curve);
 
 }  // namespace soft::post

@@ -9,7 +9,7 @@ namespace soft::post {
 
 std::vector<Column> all_columns() {
     std::vector<Column> all;
-    const auto add_columns = [&](const model::Case& model, const solution::Step& step) {
+    const auto add_columns = [&](const model::Case& model, const model::Step& step) {
         for (Column& column : make_curve(model, {&step, 1}).columns) {
             column.values.clear();
             column.slopes.clear();
@@ -17,7 +17,7 @@ std::vector<Column> all_columns() {
         }
     };
     model::Case model;
-    solution::Step step;
+    model::Step step;
     for (const model::Measure measure : model::all_measures) {
         model.outputs.push_back({std::string{"<"}.append(model::name_of(measure)).append(">"), "<face>", {}, measure});
         step.outputs.push_back(0);
@@ -25,8 +25,8 @@ std::vector<Column> all_columns() {
     }
     model.path.stages.resize(2);
     step.volume_m3 = step.pressure_error_Pa = 0.0;
-    step.extremes = solution::Step::Extremes{};
-    step.energies = solution::Step::Energies{};
+    step.extremes = model::Step::Extremes{};
+    step.energies = model::Step::Energies{};
     step.frequencies_Hz = {0};
     model.cavities = {{"<cavity>", "", {}, {}}, {"<other>", "", {}, {}}};
     model.loads = {{.name = "<load>", .targets = {"<cavity>", "<other>"}, .gas = {}},
@@ -44,7 +44,7 @@ std::vector<Column> all_columns() {
     add_columns(model, step);
     model.tractions[0].area_m2 = 1;
     model.kinematics = model::Kinematics::axisymmetric;
-    step.motion = solution::Step::Motion{};
+    step.motion = model::Step::Motion{};
     step.energies.reset();
     add_columns(model, step);
     return all;

@@ -79,10 +79,10 @@ Column leading_column(const model::Case& model) {
 
 /// Quantities of a step that are part of the table only on request.
 struct OnDemand {
-    using Number = std::function<std::optional<double>(const solution::Step&)>;
+    using Number = std::function<std::optional<double>(const model::Step&)>;
     Column column;
     Number value_SI;
-    Number slope_SI = [](const solution::Step&) { return std::nullopt; };
+    Number slope_SI = [](const model::Step&) { return std::nullopt; };
 };
 
 std::vector<OnDemand> on_demand(const model::Case& model) {
@@ -91,7 +91,7 @@ std::vector<OnDemand> on_demand(const model::Case& model) {
         list.push_back({with_unit(name, unit, Role::dependent, meaning), value});
         list.back().column.shown = Shown::on_demand;
     };
-    using Step = solution::Step;
+    using Step = model::Step;
     using Value = std::optional<double>;
     add("stored_energy", millijoule, "strain energy stored in the whole actuator",
         [](const Step& s) { return s.energies ? Value(s.energies->stored_J) : std::nullopt; });
@@ -115,7 +115,7 @@ std::vector<OnDemand> on_demand(const model::Case& model) {
 
 /// Columns of dynamic cases only: the time, which parametrises the path, and the energies.
 struct MotionColumns {
-    using Motion = solution::Step::Motion;
+    using Motion = model::Step::Motion;
     struct Energy {
         Column column;
         double Motion::*value;
@@ -143,13 +143,13 @@ struct MotionColumns {
 /// Columns of the list members of a step: outputs, and pressures and volumes of cases with several.
 struct ListColumns {
     std::vector<Column> columns;
-    std::vector<double> solution::Step::*values;
-    std::vector<double> solution::Step::*slopes;
+    std::vector<double> model::Step::*values;
+    std::vector<double> model::Step::*slopes;
     const char* what;
 };
 
 ListColumns output_columns(const model::Case& model) {
-    ListColumns list{{}, &solution::Step::outputs, &solution::Step::tangent_outputs, "outputs"};
+    ListColumns list{{}, &model::Step::outputs, &model::Step::tangent_outputs, "outputs"};
     for (std::size_t i = 0; i < model.outputs.size(); ++i) {
         const model::Output& output = model.outputs[i];
         list.columns.push_back(coordinate(
@@ -160,7 +160,7 @@ ListColumns output_columns(const model::Case& model) {
 }
 
 ListColumns pressure_columns(const model::Case& model) {
-    ListColumns list{{}, &solution::Step::pressures_Pa, &solution::Step::tangent_pressures, "pressures"};
+    ListColumns list{{}, &model::Step::pressures_Pa, &model::Step::tangent_pressures, "pressures"};
     if (model.loads.size() > 1)
         for (const model::PressureLoad& load : model.loads)
             list.columns.push_back(coordinate("pressure_" + load.name, kilopascal, Source::other,
@@ -169,7 +169,7 @@ ListColumns pressure_columns(const model::Case& model) {
 }
 
 ListColumns volume_columns(const model::Case& model) {
-    ListColumns list{{}, &solution::Step::volumes_m3, &solution::Step::tangent_volumes, "volumes"};
+    ListColumns list{{}, &model::Step::volumes_m3, &model::Step::tangent_volumes, "volumes"};
     const auto cavities = model::measured_cavities(model);
     if (cavities.size() > 1)
         for (const model::Cavity* cavity : cavities)
@@ -183,16 +183,16 @@ void push(Column& column, double value_SI, double slope_SI) {
     column.slopes.push_back(in_column_unit(column, slope_SI));
 }
 
-void push(ListColumns& list, const solution::Step& step) {
+void push(ListColumns& list, const model::Step& step) {
     const auto& values = step.*list.values;
     const auto& slopes = step.*list.slopes;
     for (std::size_t i = 0; i < list.columns.size(); ++i)
         push(list.columns[i], values[i], i < slopes.size() ? slopes[i] : 0);
 }
 
-void check(std::span<const solution::Step> steps, std::span<const ListColumns> lists) {
+void check(std::span<const model::Step> steps, std::span<const ListColumns> lists) {
     for (std::size_t row = 0; row < steps.size(); ++row) {
-        const solution::Step& step = steps[row];
+        const model::Step& step = steps[row];
         const std::string location = "path, step " + std::to_string(row);
         for (const ListColumns& list : lists)
             if ((step.*list.values).size() != list.columns.size())
@@ -235,7 +235,7 @@ std::string Curve::coordinate_names() const {
     return names;
 }
 
-Curve make_curve(const model::Case& model, std::span<const solution::Step> steps) {
+Curve make_curve(const model::Case& model, std::span<const model::Step> steps) {
     std::array lists{output_columns(model), pressure_columns(model), volume_columns(model)};
     check(steps, lists);
     const bool has_volume = !steps.empty() && steps.front().volume_m3.has_value();
@@ -259,7 +259,7 @@ Curve make_curve(const model::Case& model, std::span<const solution::Step> steps
     Column stable = plain("stable", Role::flag, "1 if the state is stable under the loads as stated in the design");
     Column controlled = plain("stable_under_control", Role::flag,
                               "1 if the state is stable under the control used, such as a prescribed volume");
-    const bool has_controlled = !steps.empty() && std::ranges::all_of(steps, [](const solution::Step& step) {
+    const bool has_controlled = !steps.empty() && std::ranges::all_of(steps, [](const model::Step& step) {
         return step.stable_under_control.has_value();
     });
     std::vector<Column> frequencies;
@@ -268,11 +268,10 @@ Curve make_curve(const model::Case& model, std::span<const solution::Step> steps
                                         "natural frequency 1, 2 ... about the state, loads held; negative: unstable"));
     std::vector<OnDemand> extras = on_demand(model);
     std::erase_if(extras, [&](const OnDemand& extra) {
-        return !std::ranges::all_of(steps, [&](const solution::Step& step) {
-            return extra.value_SI(step).has_value();
-        }) || steps.empty();
+        return !std::ranges::all_of(steps, [&](const model::Step& step) { return extra.value_SI(step).has_value(); }) ||
+               steps.empty();
     });
-    for (const solution::Step& step : steps) {
+    for (const model::Step& step : steps) {
         number.values.push_back(static_cast<double>(number.values.size()));
         if (moves) motion.push(*step.motion);
         stage.values.push_back(step.stage + 1);
@@ -317,7 +316,7 @@ Curve make_curve(const model::Case& model, std::span<const solution::Step> steps
     return curve;
 }
 
-std::optional<double> value_at(const Column& column, const solution::LimitPoint& point) {
+std::optional<double> value_at(const Column& column, const model::LimitPoint& point) {
     switch (column.source) {
         case Source::load: return in_column_unit(column, point.pressure_Pa);
         case Source::output:

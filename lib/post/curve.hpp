@@ -20,7 +20,7 @@
 
 #include "core/units.hpp"
 #include "model/case.hpp"
-#include "solution/path.hpp"
+#include "model/path.hpp"
 
 namespace soft::post {
 
@@ -71,7 +71,7 @@ struct Curve {
 
 /// `model` is the case as it was solved. Throws Error(bad_input) if a step does not have one value for each output (and for each load
 /// and cavity, if there are several), or if a volume or a time is recorded at some steps only.
-[[nodiscard]] Curve make_curve(const model::Case& model, std::span<const solution::Step> steps);
+[[nodiscard]] Curve make_curve(const model::Case& model, std::span<const model::Step> steps);
 
 /// All possible columns, each once, with name, unit and meaning but no rows. Names chosen in a design appear in angle brackets; outputs
 /// appear by their measure: <displacement>_mm.
@@ -87,6 +87,6 @@ struct Curve {
 void show_also(Curve& curve, std::span<const std::string> quantities);
 
 /// Value of this column at a limit point or bifurcation, in its unit; nullopt if it is not recorded.
-[[nodiscard]] std::optional<double> value_at(const Column& column, const solution::LimitPoint& point);
+[[nodiscard]] std::optional<double> value_at(const Column& column, const model::LimitPoint& point);
 
 }  // namespace soft::post

@@ -28,10 +28,10 @@ struct Pair {
     }
 };
 
-std::vector<Pair> pair_columns(const Curve& curve, const table::Table& golden, const Tolerance& tolerance) {
+std::vector<Pair> pair_columns(const Curve& curve, const core::Table& golden, const Tolerance& tolerance) {
     std::vector<Pair> pairs;
     for (std::size_t i = 0; i < golden.headings.size(); ++i) {
-        Pair pair{golden.headings[i].name, absent, table::numbers(golden, i)};
+        Pair pair{golden.headings[i].name, absent, core::numbers(golden, i)};
         for (const double value : pair.golden) pair.largest = std::max(pair.largest, std::abs(value));
         for (std::size_t k = 0; k < curve.columns.size(); ++k)
             if (curve.columns[k].name == pair.name) pair.column = k;
@@ -186,7 +186,7 @@ Allowance parse_allowance(std::string_view text, const Curve& curve) {
     return {quantity, not_negative(in_column_unit(*column, value), text.substr(equals + 1), "--atol " + quantity)};
 }
 
-Verdict check_golden(const Curve& curve, const table::Table& golden, const Tolerance& tolerance) {
+Verdict check_golden(const Curve& curve, const core::Table& golden, const Tolerance& tolerance) {
     if (golden.headings.empty())
         throw Error(ExitCode::bad_input, golden.source, "has no header", "give a table written by postprocess");
     const std::vector<Pair> pairs = pair_columns(curve, golden, tolerance);
@@ -219,7 +219,7 @@ Verdict check_golden(const Curve& curve, const table::Table& golden, const Toler
     return verdict;
 }
 
-std::string failure_text(const Verdict& verdict, const ColumnVerdict& column, const table::Table& golden) {
+std::string failure_text(const Verdict& verdict, const ColumnVerdict& column, const core::Table& golden) {
     if (!column.present) return golden.source + ": the result has no column " + core::quoted(column.name);
     if (!column.first) return {};
     const Difference& first = *column.first;
@@ -230,13 +230,13 @@ std::string failure_text(const Verdict& verdict, const ColumnVerdict& column, co
     std::string where;
     for (std::size_t i = 0; i < golden.headings.size(); ++i)
         if (golden.headings[i].name == verdict.leader && column.name != verdict.leader)
-            where = " where " + verdict.leader + " is " + number(table::numbers(golden, i)[first.row]);
+            where = " where " + verdict.leader + " is " + number(core::numbers(golden, i)[first.row]);
     return line + column.name + " is " + number(first.found) + where + ", golden " + number(first.golden) + ": " +
            core::rounded_text(std::abs(first.found - first.golden), 3) + " apart, allowed " +
            core::rounded_text(first.allowed, 3);
 }
 
-std::string failure_text(const Verdict& verdict, const table::Table& golden) {
+std::string failure_text(const Verdict& verdict, const core::Table& golden) {
     const ColumnVerdict* worst = nullptr;
     for (const ColumnVerdict& column : verdict.columns) {
         if (!column.present) return failure_text(verdict, column, golden);

@@ -17,8 +17,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/table.hpp"
 #include "post/curve.hpp"
-#include "table/table.hpp"
 
 namespace soft::post {
 
@@ -62,12 +62,12 @@ struct Verdict {
 };
 
 /// Throws Error (bad_input) for a golden table without header, with a cell that is not a number, or without a coordinate of the curve.
-[[nodiscard]] Verdict check_golden(const Curve& curve, const table::Table& golden, const Tolerance& tolerance);
+[[nodiscard]] Verdict check_golden(const Curve& curve, const core::Table& golden, const Tolerance& tolerance);
 
 /// One line: "golden.csv:14: pressure_kPa is 41.2 where elongation_mm is 80, golden 40.1: 1.1 apart, allowed 0.04; ...".
 /// Reports the first column of the first differing row. Empty if all columns agree.
-[[nodiscard]] std::string failure_text(const Verdict& verdict, const table::Table& golden);
+[[nodiscard]] std::string failure_text(const Verdict& verdict, const core::Table& golden);
 /// The same for one column; empty if it agrees.
-[[nodiscard]] std::string failure_text(const Verdict& verdict, const ColumnVerdict& column, const table::Table& golden);
+[[nodiscard]] std::string failure_text(const Verdict& verdict, const ColumnVerdict& column, const core::Table& golden);
 
 }  // namespace soft::post

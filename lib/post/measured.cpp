@@ -26,7 +26,7 @@ struct Match {
 
 class Matcher {
 public:
-    Matcher(const table::Table& file, const Curve& curve) : file_(file), curve_(curve), assigned_(file.width(), 0) {}
+    Matcher(const core::Table& file, const Curve& curve) : file_(file), curve_(curve), assigned_(file.width(), 0) {}
 
     void choose(const ColumnChoice& choice) {
         const Column* column = curve_.find(choice.quantity);
@@ -39,7 +39,7 @@ public:
                         "name each quantity once");
         if (assigned_[number] != 0)
             throw Error(ExitCode::usage, "--columns " + choice.quantity,
-                        table::column_text(file_, number) + " is already assigned", "name each column once");
+                        core::column_text(file_, number) + " is already assigned", "name each column once");
         add(index_of(*column), number, choice.unit);
     }
 
@@ -48,7 +48,7 @@ public:
             const Column& column = curve_.columns[i];
             if (column.role != Role::coordinate || has(i)) continue;
             for (std::size_t k = 0; k < file_.headings.size(); ++k) {
-                const table::Heading& heading = file_.headings[k];
+                const core::Heading& heading = file_.headings[k];
                 const bool same =
                     folded(heading.quantity) == folded(column.quantity) || folded(heading.name) == folded(column.name);
                 if (!same || assigned_[k] != 0) continue;
@@ -67,7 +67,7 @@ public:
             const core::Dimension kind = curve_.columns[i].dimension;
             const auto same_kind = [&](std::size_t q) { return curve_.columns[q].dimension == kind; };
             const auto fits = [&](std::size_t k) {
-                return assigned_[k] == 0 && table::dimension_of(file_.headings[k].unit) == kind;
+                return assigned_[k] == 0 && core::dimension_of(file_.headings[k].unit) == kind;
             };
             std::vector<std::size_t> columns;
             for (std::size_t k = 0; k < file_.headings.size(); ++k)
@@ -98,7 +98,7 @@ private:
                         file_.source + " has columns 1 to " + std::to_string(file_.width()) + ", not " + text);
         }
         std::vector<std::string> names;
-        for (const table::Heading& heading : file_.headings) names.push_back(heading.name);
+        for (const core::Heading& heading : file_.headings) names.push_back(heading.name);
         for (std::size_t k = 0; k < names.size(); ++k)
             if (folded(names[k]) == folded(text) || folded(file_.headings[k].quantity) == folded(text)) return k;
         throw Error(ExitCode::usage, "--columns " + choice.quantity,
@@ -107,13 +107,13 @@ private:
 
     void add(std::size_t of_curve, std::size_t of_file, std::string unit) {
         const Column& column = curve_.columns[of_curve];
-        const std::string location = file_.source + ": " + table::column_text(file_, of_file);
+        const std::string location = file_.source + ": " + core::column_text(file_, of_file);
         if (unit.empty() && !file_.headings.empty()) unit = file_.headings[of_file].unit;
         if (unit.empty() && column.dimension != core::Dimension::ratio)
             throw Error(
                 ExitCode::bad_input, location, "the unit is missing",
                 "give it, e.g. --columns " + column.quantity + "=" + std::to_string(of_file + 1) + ":" + column.unit);
-        if (!unit.empty() && table::dimension_of(unit) != column.dimension)
+        if (!unit.empty() && core::dimension_of(unit) != column.dimension)
             throw Error(ExitCode::bad_input, location,
                         core::quoted(unit) + " is not a unit of " + std::string{core::name(column.dimension)},
                         "give " + column.quantity + " for example in " + column.unit);
@@ -121,16 +121,16 @@ private:
         matches_.push_back({of_curve, of_file, unit});
     }
 
-    const table::Table& file_;
+    const core::Table& file_;
     const Curve& curve_;
     std::vector<char> assigned_;  ///< columns of the file
     std::vector<Match> matches_;
 };
 
-std::string column_list(const table::Table& file) {
+std::string column_list(const core::Table& file) {
     std::vector<std::string> names;
     for (std::size_t k = 0; k < std::min<std::size_t>(file.width(), 12); ++k)
-        names.push_back(table::column_text(file, k));
+        names.push_back(core::column_text(file, k));
     return core::one_line(core::join(names), 300);
 }
 
@@ -170,7 +170,7 @@ std::vector<ColumnChoice> parse_column_choices(std::string_view text) {
     return choices;
 }
 
-Measured read_measured(const table::Table& file, const Curve& curve, std::span<const ColumnChoice> choices) {
+Measured read_measured(const core::Table& file, const Curve& curve, std::span<const ColumnChoice> choices) {
     Matcher matcher(file, curve);
     for (const ColumnChoice& choice : choices) matcher.choose(choice);
     matcher.match_names();
@@ -209,8 +209,8 @@ Measured read_measured(const table::Table& file, const Curve& curve, std::span<c
     Measured measured{file.source, file.lines, {}};
     for (const Match& match : matcher.matches()) {
         const Column& column = curve.columns[match.of_curve];
-        Series series{match.of_curve, table::values_SI(file, match.of_file, match.unit, column.dimension),
-                      table::column_text(file, match.of_file)};
+        Series series{match.of_curve, core::values_SI(file, match.of_file, match.unit, column.dimension),
+                      core::column_text(file, match.of_file)};
         for (double& value : series.values) value = in_column_unit(column, value);
         measured.series.push_back(std::move(series));
     }

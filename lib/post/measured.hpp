@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/table.hpp"
 #include "post/curve.hpp"
-#include "table/table.hpp"
 
 namespace soft::post {
 
@@ -43,7 +43,7 @@ struct Measured {
 
 /// Throws Error: usage for a choice of an unknown quantity or column; bad_input if the load (for a motion the time) or any quantity to
 /// compare it with is not found, if a unit is missing or has another dimension, or if a cell is not a number.
-[[nodiscard]] Measured read_measured(const table::Table& file, const Curve& curve,
+[[nodiscard]] Measured read_measured(const core::Table& file, const Curve& curve,
                                      std::span<const ColumnChoice> choices);
 
 }  // namespace soft::post

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "model/path.hpp"
 #include "post/band.hpp"
 #include "post/curve.hpp"
 #include "post/measured.hpp"
-#include "solution/path.hpp"
 
 namespace soft::post {
 
@@ -27,7 +27,7 @@ struct PlotRequest {
 struct PlotSeries {
     std::string label;  ///< in the legend, if there are several paths
     Curve curve;
-    solution::PathEnd end;          ///< its limit points and bifurcations are drawn
+    model::PathEnd end;             ///< its limit points and bifurcations are drawn
     std::optional<Band> band = {};  ///< uncertainty due to the constants, drawn if its table contains both axes
 };
 

@@ -149,7 +149,7 @@ void add_markers(const Curve& curve, const PlotAxes& axes, std::size_t max_marke
 }
 
 /// Adds a line "x y label" and the label for a point that has both coordinates.
-void add_labelled(const Column& x, const Column& y, const solution::LimitPoint& at, std::string& block,
+void add_labelled(const Column& x, const Column& y, const model::LimitPoint& at, std::string& block,
                   std::vector<PlotLabel>& labels) {
     const auto along = value_at(x, at), up = value_at(y, at);
     if (!along || !up) return;
@@ -170,9 +170,9 @@ Blocks make_blocks(const PlotSeries& series, const PlotAxes& axes, std::size_t m
     blocks.band = band_outline(curve, path, axes, blocks.edges);
     if (series.band) add_constants(*series.band, path, axes, blocks);
     add_markers(curve, axes, max_markers, blocks);
-    for (const solution::LimitPoint& limit : series.end.limit_points)
+    for (const model::LimitPoint& limit : series.end.limit_points)
         add_labelled(x, y, limit, blocks.limits, blocks.labels);
-    for (const solution::Bifurcation& branch : series.end.bifurcations)
+    for (const model::Bifurcation& branch : series.end.bifurcations)
         add_labelled(x, y, branch.at, blocks.bifurcations, blocks.labels);
     return blocks;
 }

@@ -28,7 +28,7 @@ constexpr double without_order = 0.25;
 
 std::string percent(double share) { return core::rounded_text(100 * share, 3) + " %"; }
 
-void require_refinable(const model::Case& input, const solution::Step& step) {
+void require_refinable(const model::Case& input, const model::Step& step) {
     for (const auto type : input.mesh.cell_types)
         if (mesh::topology(type).order < 2)
             throw Error(
@@ -52,13 +52,13 @@ struct Level {
     }
     mesh::Refined refined;
     model::Case input;
-    assembly::System system;
+    fem::System system;
 };
 
-RowPosition location_of(const Rows& rows, std::size_t i, const solution::PathEnd& end) {
+RowPosition location_of(const Rows& rows, std::size_t i, const model::PathEnd& end) {
     if (i == 0) return RowPosition::first;
     const bool last =
-        i + 1 == rows.size() ? end.reason == solution::StopReason::done : rows[i + 1].step.stage != rows[i].step.stage;
+        i + 1 == rows.size() ? end.reason == model::StopReason::done : rows[i + 1].step.stage != rows[i].step.stage;
     return last ? RowPosition::ends_stage : RowPosition::inside;
 }
 
@@ -66,10 +66,10 @@ RowPosition location_of(const Rows& rows, std::size_t i, const solution::PathEnd
 struct Measure {
     static constexpr std::size_t volume = static_cast<std::size_t>(-1);
     std::size_t output;
-    [[nodiscard]] CurvePoint point(const solution::Step& step) const {
+    [[nodiscard]] CurvePoint point(const model::Step& step) const {
         return {step.pressure_Pa, output == volume ? step.volume_m3.value_or(0.0) : step.outputs[output]};
     }
-    [[nodiscard]] CurvePoint tangent(const solution::Step& step) const {
+    [[nodiscard]] CurvePoint tangent(const model::Step& step) const {
         return {step.tangent_pressure, output == volume ? step.tangent_volume : step.tangent_outputs[output]};
     }
 };
@@ -151,7 +151,7 @@ struct Solved {
     bool interrupted = false;
 };
 
-Solved solve_rows(Level& level, const Rows& coarse, const solution::PathEnd& end, const RefinementListeners& listeners,
+Solved solve_rows(Level& level, const Rows& coarse, const model::PathEnd& end, const RefinementListeners& listeners,
                   RefinedPath::Keep keep, Accuracy& counts) {
     Solved solved;
     RefinedPath path(level.system, level.refined);
@@ -173,8 +173,8 @@ Solved solve_rows(Level& level, const Rows& coarse, const solution::PathEnd& end
 
 /// Load, volume and outputs of a row, moved along its tangent by `way` of the tangent's parameter; the load by half of its
 /// slope, which falls linearly to zero over this distance.
-solution::LimitPoint moved(int row, const solution::Step& step, double way) {
-    solution::LimitPoint point{row, step.pressure_Pa + 0.5 * way * step.tangent_pressure, step.volume_m3, step.outputs};
+model::LimitPoint moved(int row, const model::Step& step, double way) {
+    model::LimitPoint point{row, step.pressure_Pa + 0.5 * way * step.tangent_pressure, step.volume_m3, step.outputs};
     if (point.volume_m3) *point.volume_m3 += way * step.tangent_volume;
     for (std::size_t k = 0; k < point.outputs.size(); ++k) point.outputs[k] += way * step.tangent_outputs[k];
     return point;
@@ -182,16 +182,16 @@ solution::LimitPoint moved(int row, const solution::Step& step, double way) {
 
 /// The extremum of the load next to row i: where the slope by the volume (else the first output), interpolated linearly to the
 /// neighbour on the side of the sign change, vanishes.
-solution::LimitPoint limit_beside(const Rows& rows, std::size_t i) {
-    const solution::Step& at = rows[i].step;
+model::LimitPoint limit_beside(const Rows& rows, std::size_t i) {
+    const model::Step& at = rows[i].step;
     const Measure measure{at.volume_m3 ? Measure::volume : 0};
-    const auto slope = [&](const solution::Step& step) {
+    const auto slope = [&](const model::Step& step) {
         const CurvePoint tangent = measure.tangent(step);
         return tangent.load / tangent.measure;
     };
     for (const std::size_t other : {i - 1, i + 1}) {  // i - 1 wraps around for the first row and exceeds rows.size()
         if (other >= rows.size() || rows[other].step.stage != at.stage) continue;
-        const solution::Step& neighbour = rows[other].step;
+        const model::Step& neighbour = rows[other].step;
         const double here = slope(at), there = slope(neighbour);
         if (!(here * there < 0.0)) continue;
         const double distance = measure.point(neighbour).measure - measure.point(at).measure;
@@ -200,7 +200,7 @@ solution::LimitPoint limit_beside(const Rows& rows, std::size_t i) {
     return moved(static_cast<int>(i), at, 0.0);
 }
 
-void move_points(const Rows& rows, solution::PathEnd& end) {
+void move_points(const Rows& rows, model::PathEnd& end) {
     for (auto& point : end.limit_points) point = limit_beside(rows, static_cast<std::size_t>(point.step));
     for (auto& bifurcation : end.bifurcations)
         bifurcation.at = moved(bifurcation.at.step, rows[static_cast<std::size_t>(bifurcation.at.step)].step, 0.0);
@@ -221,16 +221,16 @@ std::string reason_of(const Accuracy& result, double tolerance) {
     return "the error bars of the load reach " + percent(result.reached) + ", " + percent(tolerance) + " is requested";
 }
 
-void report_curve(const RefinementListeners& listeners, const Accuracy& result, const solution::PathEnd& end) {
+void report_curve(const RefinementListeners& listeners, const Accuracy& result, const model::PathEnd& end) {
     if (!listeners.curve) return;
-    solution::PathEnd moved_end = end;
+    model::PathEnd moved_end = end;
     if (result.level > 0) move_points(result.rows, moved_end);
     listeners.curve(result, moved_end);
 }
 
 }  // namespace
 
-Accuracy refine_path(assembly::System& given, Rows rows, solution::PathEnd& end, const AccuracyTarget& target,
+Accuracy refine_path(fem::System& given, Rows rows, model::PathEnd& end, const AccuracyTarget& target,
                      const RefinementListeners& listeners) {
     const model::Case& input = given.input();
     require_refinable(input, rows.front().step);

@@ -25,8 +25,8 @@ struct AccuracyTarget {
 
 struct Accuracy {
     std::vector<RowState> rows;  ///< of the reported level, bars in their steps; fields [point of that level] on rank 0
-    std::vector<solution::Step> finer;  ///< the same rows on the next finer level, where there are bars
-    int level = 0;                      ///< the reported level; the next finer one is solved too where there are bars
+    std::vector<model::Step> finer;  ///< the same rows on the next finer level, where there are bars
+    int level = 0;                   ///< the reported level; the next finer one is solved too where there are bars
     bool has_bars = false;
     double reached = 0;      ///< the value that the tolerance bounds, where there are bars
     std::string end_reason;  ///< why there is no finer level, one clause; empty where the tolerance is met
@@ -49,7 +49,7 @@ struct NextMesh {
 struct RefinementListeners {
     std::function<void(const NextMesh&)> next = {};
     /// The curve so far, with how its path ended: first the curve of the given mesh, which has no bars, then each curve with bars.
-    std::function<void(const Accuracy&, const solution::PathEnd&)> curve = {};
+    std::function<void(const Accuracy&, const model::PathEnd&)> curve = {};
     /// Called before each row of a finer mesh, with its index; true ends the refinement. All ranks must return the same value.
     std::function<bool(std::size_t row)> is_interrupted = {};
 };
@@ -59,7 +59,7 @@ struct RefinementListeners {
 /// exactly zero, a limit point gets the values at the vertex of the parabola through it and its neighbour.
 /// Collective. Throws Error (bad_input) for first-order cells, whose straight edges do not approach a curved boundary, and for a
 /// case without output or volume. A row that does not converge ends the refinement (end_reason).
-[[nodiscard]] Accuracy refine_path(assembly::System& given, std::vector<RowState> rows, solution::PathEnd& end,
+[[nodiscard]] Accuracy refine_path(fem::System& given, std::vector<RowState> rows, model::PathEnd& end,
                                    const AccuracyTarget& target, const RefinementListeners& listeners = {});
 
 }  // namespace soft::solver

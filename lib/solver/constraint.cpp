@@ -24,12 +24,12 @@ std::string_view name(ConstraintKind kind) {
     throw std::logic_error("name: unknown constraint");
 }
 
-ConstraintValue evaluate(const Constraint& constraint, assembly::System& system, const StageLoads& loads,
-                         const State& state, Vec gradient) {
+ConstraintValue evaluate(const Constraint& constraint, fem::System& system, const StageLoads& loads, const State& state,
+                         Vec gradient) {
     ConstraintValue result{0.0, 0.0, std::vector(loads.free_supplies().size(), 0.0)};
     SOFT_PETSC(VecZeroEntries(gradient));
     std::vector<double> by_motion(loads.rate().motions.size(), 0.0);
-    assembly::LoadLevels by_levels;
+    fem::LoadLevels by_levels;
     const auto& free = loads.free_supplies();
     switch (constraint.kind) {
         case ConstraintKind::load_factor: return {state.load_factor, 1.0, result.by_pressures};
@@ -42,7 +42,7 @@ ConstraintValue evaluate(const Constraint& constraint, assembly::System& system,
             break;
         case ConstraintKind::output:
             result.value = system.output(constraint.index, state.x, gradient, &by_levels);
-            result.by_load_factor = assembly::product(by_levels, loads.rate());
+            result.by_load_factor = fem::product(by_levels, loads.rate());
             for (std::size_t k = 0; k < free.size(); ++k) result.by_pressures[k] = by_levels.pressures_Pa[free[k]];
             return result;
         case ConstraintKind::arc:

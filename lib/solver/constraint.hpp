@@ -43,7 +43,7 @@ struct ConstraintValue {
 };
 
 /// Fills `gradient` = dc/dx. Uses the prescribed motions of the state.
-[[nodiscard]] ConstraintValue evaluate(const Constraint& constraint, assembly::System& system, const StageLoads& loads,
+[[nodiscard]] ConstraintValue evaluate(const Constraint& constraint, fem::System& system, const StageLoads& loads,
                                        const State& state, Vec gradient);
 
 /// target - value; for an angle, the shorter way round.

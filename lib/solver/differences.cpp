@@ -23,14 +23,13 @@ double node_distance_m(const mesh::Mesh& mesh) {
 double shear_modulus_Pa(const model::Case& input) {
     double modulus = 0;
     for (const auto& material : input.materials)
-        modulus =
-            std::max(modulus, material::initial_shear_modulus_Pa(assembly::make_rubber(material, input.formulation)));
+        modulus = std::max(modulus, material::initial_shear_modulus_Pa(fem::make_rubber(material, input.formulation)));
     return modulus;
 }
 
 }  // namespace
 
-ResidualDifferences::ResidualDifferences(assembly::System& system, Mat K, model::TangentSource source)
+ResidualDifferences::ResidualDifferences(fem::System& system, Mat K, model::TangentSource source)
     : system_(system),
       scale_(system.make_vector()),
       inverse_scale_(system.make_vector()),
@@ -38,7 +37,7 @@ ResidualDifferences::ResidualDifferences(assembly::System& system, Mat K, model:
       y_(system.make_vector()),
       base_x_(system.make_vector()),
       base_R_(system.make_vector()),
-      levels_(assembly::no_loads(system.input())),
+      levels_(fem::no_loads(system.input())),
       base_levels_(levels_) {
     make_scale();
     const PetscInt own = system.dofs().end - system.dofs().begin, all = system.dofs().total;
@@ -87,7 +86,7 @@ PetscErrorCode ResidualDifferences::scaled_residual(void*, Vec y, Vec R, void* s
     return 0;
 }
 
-void ResidualDifferences::tangent(Vec x, const assembly::LoadLevels& levels, Mat K) {
+void ResidualDifferences::tangent(Vec x, const fem::LoadLevels& levels, Mat K) {
     levels_ = levels;
     SOFT_PETSC(VecPointwiseMult(y_, x, inverse_scale_));
     const PetscErrorCode code = MatFDColoringApply(K, colors_, y_, nullptr);
@@ -96,7 +95,7 @@ void ResidualDifferences::tangent(Vec x, const assembly::LoadLevels& levels, Mat
     SOFT_PETSC(MatDiagonalScale(K, nullptr, inverse_scale_));
 }
 
-void ResidualDifferences::set_base(Vec x, const assembly::LoadLevels& levels, Vec R) {
+void ResidualDifferences::set_base(Vec x, const fem::LoadLevels& levels, Vec R) {
     linalg::copy(x, base_x_);
     linalg::copy(R, base_R_);
     base_levels_ = levels;

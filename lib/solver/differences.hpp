@@ -9,7 +9,7 @@
 /// Tested by solver/differences_test.
 #include <exception>
 
-#include "assembly/system.hpp"
+#include "fem/system.hpp"
 
 namespace soft::solver {
 
@@ -17,16 +17,16 @@ class ResidualDifferences {
 public:
     /// `K`: a matrix of the system; its sparsity pattern is used where `source` is finite_difference. Neither is owned. Without
     /// finite_difference tangent() must not be called.
-    ResidualDifferences(assembly::System& system, Mat K, model::TangentSource source);
+    ResidualDifferences(fem::System& system, Mat K, model::TangentSource source);
     ResidualDifferences(const ResidualDifferences&) = delete;
     ResidualDifferences& operator=(const ResidualDifferences&) = delete;
     ~ResidualDifferences() = default;
 
     /// Overwrites K, the constructor's matrix, with dR/dx at x for these levels.
-    void tangent(Vec x, const assembly::LoadLevels& levels, Mat K);
+    void tangent(Vec x, const fem::LoadLevels& levels, Mat K);
 
     /// Sets the state at which jacobian() is taken; `R` is the residual there. Both are copied.
-    void set_base(Vec x, const assembly::LoadLevels& levels, Vec R);
+    void set_base(Vec x, const fem::LoadLevels& levels, Vec R);
     [[nodiscard]] Mat jacobian() const noexcept { return jacobian_; }
 
 private:
@@ -36,10 +36,10 @@ private:
     static PetscErrorCode multiply(Mat jacobian, Vec v, Vec product);
     void difference(Vec v, Vec product);
 
-    assembly::System& system_;
+    fem::System& system_;
     linalg::Vector scale_, inverse_scale_;
     linalg::Vector x_, y_, base_x_, base_R_;
-    assembly::LoadLevels levels_, base_levels_;
+    fem::LoadLevels levels_, base_levels_;
     linalg::Owned<MatFDColoring, MatFDColoringDestroy> colors_;
     linalg::Matrix jacobian_;
     std::exception_ptr thrown_;  // by a residual inside a PETSc callback

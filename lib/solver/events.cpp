@@ -5,7 +5,7 @@
 
 namespace soft::solver {
 
-using solution::StopReason;
+using model::StopReason;
 
 namespace {
 
@@ -32,7 +32,7 @@ double output_slope(const PathPoint& point, std::size_t output) { return point.o
 double load_factor_slope(const PathPoint& point, std::size_t) { return point.tangent.load_factor; }
 
 /// A vector without any symmetry, the same in every run and on any number of ranks.
-linalg::Vector generic_vector(const assembly::System& system) {
+linalg::Vector generic_vector(const fem::System& system) {
     auto b = system.make_vector();
     for (PetscInt i = system.dofs().begin; i < system.dofs().end; ++i) {
         const double phase = 0.618033988749895 * static_cast<double>(i + 1);
@@ -130,9 +130,9 @@ bool PathFollower::pass_events(const PathPoint& from, const PathPoint& to) {
                              [&](const Event& a, const Event& b) { return sense * a.point.q < sense * b.point.q; });
     for (auto& event : events) {
         if (event.modes > 0) {
-            solution::Bifurcation bifurcation{location_of(event.point), event.modes, {}};
+            model::Bifurcation bifurcation{location_of(event.point), event.modes, {}};
             if (event.mode) {
-                system_.prescribe(assembly::no_loads(input_));
+                system_.prescribe(fem::no_loads(input_));
                 bifurcation.mode = system_.gather_fields(*event.mode).displacement_m;
             }
             end_.bifurcations.push_back(std::move(bifurcation));
@@ -259,7 +259,7 @@ std::optional<Event> PathFollower::locate_bifurcation(const PathPoint& from, con
     }
     Event event{std::move(left ? *left : *right), false, 1, std::move(mode)};
     if (event.mode) {  // largest displacement 1; the sign does not depend on the number of ranks
-        system_.prescribe(assembly::no_loads(input_));
+        system_.prescribe(fem::no_loads(input_));
         const auto u = system_.gather_fields(*event.mode).displacement_m;
         double factor = 0;
         for (const double component : u) factor = std::max(factor, std::abs(component));
@@ -289,7 +289,7 @@ bool PathFollower::take_branch(const Event& event) {
     linalg::add(origin.tangent.x, 1.0 / length, *event.mode);
     origin.outputs = event.point.outputs;
     origin.levels = event.point.levels;
-    origin.level_slopes = assembly::no_loads(input_);
+    origin.level_slopes = fem::no_loads(input_);
     origin.load_work_J = event.point.load_work_J;
     control_ = {ConstraintKind::arc};
     last_ = std::move(origin);

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "assembly/element_levels.hpp"
-#include "assembly/mass.hpp"
 #include "core/error.hpp"
+#include "fem/element_levels.hpp"
+#include "fem/mass.hpp"
 #include "linalg/eigenvalues.hpp"
 
 namespace soft::solver {
@@ -18,10 +18,10 @@ namespace {
 
 }  // namespace
 
-NaturalFrequencies::NaturalFrequencies(assembly::System& system, int count)
+NaturalFrequencies::NaturalFrequencies(fem::System& system, int count)
     : system_(system), count_(count), K_(system.make_matrix()), R_(system.make_vector()) {
-    const assembly::DofMap& dofs = system.dofs();
-    const auto method = assembly::choose_linear(system.input().solver.linear, system.input(), dofs.total).method;
+    const fem::DofMap& dofs = system.dofs();
+    const auto method = fem::choose_linear(system.input().solver.linear, system.input(), dofs.total).method;
     if (method == model::LinearMethod::krylov || method == model::LinearMethod::jacobian_free)
         refuse_frequencies(
             "natural frequencies need a factorisation of the tangent, but the linear solver is iterative",
@@ -33,10 +33,10 @@ NaturalFrequencies::NaturalFrequencies(assembly::System& system, int count)
         refuse_frequencies(std::to_string(count) + " exceeds the number of displacement unknowns (" +
                                std::to_string(dofs.total - dofs.pressures) + ")",
                            "use a smaller number");
-    M_ = assembly::consistent_mass(system);
+    M_ = fem::consistent_mass(system);
 }
 
-std::vector<double> NaturalFrequencies::evaluate(Vec x, const assembly::LoadLevels& levels) {
+std::vector<double> NaturalFrequencies::evaluate(Vec x, const fem::LoadLevels& levels) {
     (void)system_.evaluate(x, levels, R_, K_);
     linalg::Matrix symmetric;
     SOFT_PETSC(MatTranspose(K_, MAT_INITIAL_MATRIX, symmetric.out()));

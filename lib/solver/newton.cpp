@@ -134,7 +134,7 @@ std::optional<NewtonEnd> Newton::check_convergence(const State& state, Correctio
 }
 
 /// F = I + grad u is rounded like positions are: the last digit is that of a displacement of the cell's size.
-double Newton::change_by_digits(const State& state, const assembly::LoadLevels& levels) {
+double Newton::change_by_digits(const State& state, const fem::LoadLevels& levels) {
     const model::Case& input = system_.input();
     const double nodes = static_cast<double>(input.mesh.points.size());
     const double cell_m = model::extent_m(input.mesh) / std::pow(nodes, 1.0 / input.mesh.dimension);

@@ -77,7 +77,7 @@ void scale(PathTangent& tangent, double factor);
 
 class Newton {
 public:
-    Newton(assembly::System& system, const model::SolverSettings& settings);
+    Newton(fem::System& system, const model::SolverSettings& settings);
 
     /// Sets the loads of all later calls; not owned.
     void set_loads(const StageLoads& loads);
@@ -106,8 +106,8 @@ public:
 private:
     /// State of a correction in progress.
     struct Correction {
-        assembly::Evaluation evaluation;  // the last
-        double residual = 0;              // |R| at the state
+        fem::Evaluation evaluation;  // the last
+        double residual = 0;         // |R| at the state
         double first_force_scale = 0, constraint_tolerance = 0;
         double missing = 0;       // of the constraint: target - c
         bool loads_stay = false;  // the loads equal those of the target: the increment is K^-1 (-R), without columns
@@ -129,7 +129,7 @@ private:
     [[nodiscard]] std::optional<NewtonEnd> check_convergence(const State& state, Correction& now);
     [[nodiscard]] bool is_rounding(const State& state, const Correction& now);
     /// Change of R when the unknowns change in their last digits. Overwrites R_.
-    [[nodiscard]] double change_by_digits(const State& state, const assembly::LoadLevels& levels);
+    [[nodiscard]] double change_by_digits(const State& state, const fem::LoadLevels& levels);
     [[nodiscard]] std::optional<NewtonEnd> solve_blocks(const State& state, const Correction& now);
     /// True if the previous factor was good enough for this iteration.
     [[nodiscard]] bool solve_with_kept_factor(const Correction& now);
@@ -140,7 +140,7 @@ private:
     [[nodiscard]] linalg::LinearSolve solve_updated(Vec b, Vec x);
 
     // newton_system.cpp
-    [[nodiscard]] assembly::Evaluation evaluate_at(const State& state, Assemble what = Assemble::tangent);
+    [[nodiscard]] fem::Evaluation evaluate_at(const State& state, Assemble what = Assemble::tangent);
     [[nodiscard]] Mat matrix_for(Assemble what);
     /// Whether the columns' forces and K_ were assembled at exactly this state.
     [[nodiscard]] bool is_assembled_at(const State& state) const;
@@ -170,7 +170,7 @@ private:
     [[nodiscard]] std::optional<int> pivots_of_factor() const;
     [[nodiscard]] std::optional<int> excess_pivots();
 
-    assembly::System& system_;
+    fem::System& system_;
     model::SolverSettings settings_;
     const StageLoads* loads_ = nullptr;
     bool loads_move_ = false;  // a face moves with the load factor
@@ -189,7 +189,7 @@ private:
     SecantUpdates updates_;
     linalg::Vector minus_R_before_, load_change_;   // of the secant pair to come: sum of (dp_k, dlambda) f
     std::vector<linalg::Vector> forces_, columns_;  // f_k, -dR/dlambda; b_k, b_l
-    std::vector<assembly::LoadColumn> wanted_;
+    std::vector<fem::LoadColumn> wanted_;
     std::optional<State> assembled_at_;      // of the last evaluation, where it gave K_
     std::vector<linalg::Vector> gradients_;  // of e_k, c by x
     std::vector<SupplyEquation> supply_;

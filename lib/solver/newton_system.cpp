@@ -2,25 +2,25 @@
 #include <algorithm>
 #include <numeric>
 
-#include "assembly/element_levels.hpp"
+#include "fem/element_levels.hpp"
 #include "solver/newton.hpp"
 
 namespace soft::solver {
 
 namespace {
 
-linalg::Symmetry symmetry_of(const assembly::System& system) {
+linalg::Symmetry symmetry_of(const fem::System& system) {
     return system.has_symmetric_tangent() ? linalg::Symmetry::symmetric : linalg::Symmetry::general;
 }
 
-model::SolverSettings with_choice(const assembly::System& system, model::SolverSettings settings) {
-    settings.linear = assembly::choose_linear(settings.linear, system.input(), system.dofs().total);
+model::SolverSettings with_choice(const fem::System& system, model::SolverSettings settings) {
+    settings.linear = fem::choose_linear(settings.linear, system.input(), system.dofs().total);
     return settings;
 }
 
 }  // namespace
 
-Newton::Newton(assembly::System& system, const model::SolverSettings& settings)
+Newton::Newton(fem::System& system, const model::SolverSettings& settings)
     : system_(system),
       settings_(with_choice(system, settings)),
       K_(system.make_matrix()),
@@ -28,7 +28,7 @@ Newton::Newton(assembly::System& system, const model::SolverSettings& settings)
       R_(system.make_vector()),
       correction_(system.make_vector()) {
     const bool matrix_free = settings_.linear.method == model::LinearMethod::jacobian_free;
-    assembly::configure_preconditioner(solver_, system, K_);
+    fem::configure_preconditioner(solver_, system, K_);
     if (matrix_free || settings.tangent == model::TangentSource::finite_difference)
         differences_.emplace(system, K_, settings.tangent);
     if (matrix_free) solver_.set_operator(differences_->jacobian());
@@ -50,7 +50,7 @@ void Newton::set_loads(const StageLoads& loads) {
     const auto& motions = loads.rate().motions;
     loads_move_ = std::ranges::any_of(motions, [](double rate) { return rate != 0.0; });
     if (rounding_N_ == 0.0)
-        rounding_N_ = change_by_digits({system_.make_vector(), 0.0, {}}, assembly::no_loads(system_.input()));
+        rounding_N_ = change_by_digits({system_.make_vector(), 0.0, {}}, fem::no_loads(system_.input()));
 }
 
 Mat Newton::matrix_for(Assemble what) {
@@ -60,7 +60,7 @@ Mat Newton::matrix_for(Assemble what) {
     return spare_;
 }
 
-assembly::Evaluation Newton::evaluate_at(const State& state, Assemble what) {
+fem::Evaluation Newton::evaluate_at(const State& state, Assemble what) {
     const auto levels = loads_->levels(state.load_factor, state.pressures_Pa);
     const Mat matrix = matrix_for(what);
     const auto evaluation = system_.evaluate(state.x, levels, R_, matrix, wanted_);

@@ -2,13 +2,13 @@
 
 #include <cmath>
 
-#include "assembly/rigid_motion.hpp"
 #include "core/error.hpp"
+#include "fem/rigid_motion.hpp"
 #include "solver/path_follower.hpp"
 
 namespace soft::solver {
 
-using solution::PathEnd;
+using model::PathEnd;
 
 Error start_error(NewtonEnd end, const std::string& problem) {
     if (end == NewtonEnd::not_definite)
@@ -22,7 +22,7 @@ Error start_error(NewtonEnd end, const std::string& problem) {
     return Error(ExitCode::bad_input, "materials", problem, "check the moduli of the materials");
 }
 
-PathEnd PathFollower::run(const solution::Checkpoint* from) {
+PathEnd PathFollower::run(const model::Checkpoint* from) {
     prepare();
     if (from != nullptr)
         restore(*from);
@@ -38,7 +38,7 @@ PathEnd PathFollower::run(const solution::Checkpoint* from) {
 }
 
 void PathFollower::prepare() {
-    if (const auto motion = assembly::free_rigid_motion(input_))
+    if (const auto motion = fem::free_rigid_motion(input_))
         throw Error(ExitCode::bad_input, "supports", "no support prevents a rigid " + *motion,
                     "fix a face in that direction");
     if (input_.path.stages.empty()) throw Error(ExitCode::bad_input, "path", "the load programme has no stages");
@@ -61,13 +61,13 @@ void PathFollower::start() {
     append(*last_);
 }
 
-void PathFollower::finish(solution::StopReason reason, std::string detail) {
+void PathFollower::finish(model::StopReason reason, std::string detail) {
     end_.reason = reason;
     end_.detail = std::move(detail);
     finished_ = true;
 }
 
-PathEnd follow_path(assembly::System& system, const Listeners& listeners, const solution::Checkpoint* from) {
+PathEnd follow_path(fem::System& system, const Listeners& listeners, const model::Checkpoint* from) {
     return PathFollower(system, listeners).run(from);
 }
 

@@ -21,9 +21,9 @@
 #include <optional>
 #include <string>
 
-#include "assembly/system.hpp"
-#include "solution/checkpoint.hpp"
-#include "solution/path.hpp"
+#include "fem/system.hpp"
+#include "model/checkpoint.hpp"
+#include "model/path.hpp"
 #include "solver/row_state.hpp"
 
 namespace soft::solver {
@@ -40,21 +40,21 @@ inline constexpr double short_step_of_load = 0.02, steps_to_a_maximum = 10.0;
 
 /// What the caller does with each converged step (write it, show progress). Called on every rank, in order. The system's
 /// prescribed motions are those of the step.
-using StepSink = std::function<void(const solution::Step& step, Vec x)>;
+using StepSink = std::function<void(const model::Step& step, Vec x)>;
 
 /// One line about what the solver is doing, for `--verbose`.
 using Log = std::function<void(const std::string&)>;
 
 /// Data needed to resume after the row just passed to the sink. Collective; only rank 0 gets the vectors.
-using CheckpointSink = std::function<void(const solution::Checkpoint&)>;
+using CheckpointSink = std::function<void(const model::Checkpoint&)>;
 
 /// Walls that touch in a state, or that have passed through themselves: inverted_element. `text`: "the faces ... at x = ...".
 struct ContactEvent {
     std::string text;
-    solution::StopReason reason = solution::StopReason::self_contact;
+    model::StopReason reason = model::StopReason::self_contact;
     /// Message for a path that ends in this state; `state`: its values.
     [[nodiscard]] std::string end_at(const std::string& state) const {
-        const bool inverted = reason == solution::StopReason::inverted_element;
+        const bool inverted = reason == model::StopReason::inverted_element;
         return text + " at " + state + (inverted ? "; use smaller cells there (mesh.size)" : "");
     }
 };
@@ -80,7 +80,7 @@ struct Listeners {
 /// `from`: resumes there instead of starting at the undeformed state; rows before it are not passed to the sink again. The
 /// rows after it are those of the uninterrupted path. Throws Error (bad_input) for a body with a rigid motion, a control
 /// or goal the case does not have, a checkpoint of another case or another number of ranks.
-[[nodiscard]] solution::PathEnd follow_path(assembly::System& system, const Listeners& listeners,
-                                            const solution::Checkpoint* from = nullptr);
+[[nodiscard]] model::PathEnd follow_path(fem::System& system, const Listeners& listeners,
+                                         const model::Checkpoint* from = nullptr);
 
 }  // namespace soft::solver

@@ -39,7 +39,7 @@ struct Event {
 
 class PathFollower {
 public:
-    PathFollower(assembly::System& system, const Listeners& listeners)
+    PathFollower(fem::System& system, const Listeners& listeners)
         : system_(system),
           input_(system.input()),
           settings_(input_.solver),
@@ -47,17 +47,17 @@ public:
           listeners_(listeners),
           scratch_(system.make_vector()) {}
 
-    solution::PathEnd run(const solution::Checkpoint* from);
+    model::PathEnd run(const model::Checkpoint* from);
 
 private:
     // path.cpp
     void prepare();
     void start();
-    void finish(solution::StopReason reason, std::string detail);
+    void finish(model::StopReason reason, std::string detail);
 
     // stages.cpp
     [[nodiscard]] const model::Stage& stage() const { return input_.path.stages[static_cast<std::size_t>(stage_)]; }
-    void set_stage(int index, solution::StageStart start);
+    void set_stage(int index, model::StageStart start);
     void begin_stage(State state);
     void end_stage(const std::string& text);
     [[nodiscard]] Constraint stage_control() const;
@@ -139,7 +139,7 @@ private:
     [[nodiscard]] bool is_stable_under_control(const PathPoint& point) const;
     /// Along the direction of travel.
     [[nodiscard]] bool load_falls(const PathPoint& point) const { return point.tangent.load_factor * step_ < 0.0; }
-    [[nodiscard]] solution::LimitPoint location_of(const PathPoint& point) const;
+    [[nodiscard]] model::LimitPoint location_of(const PathPoint& point) const;
     [[nodiscard]] std::string describe(const PathPoint& point) const { return state_text(point, input_); }
     void log(const std::string& line) const {
         if (listeners_.log) listeners_.log(line);
@@ -174,10 +174,10 @@ private:
     [[nodiscard]] bool take_branch(const Event& event);
 
     // path_resume.cpp
-    void restore(const solution::Checkpoint& from);
+    void restore(const model::Checkpoint& from);
     void keep_checkpoint();
 
-    assembly::System& system_;
+    fem::System& system_;
     const model::Case& input_;
     model::SolverSettings settings_;
     Newton newton_;
@@ -205,7 +205,7 @@ private:
     int rows_ = 0;
     bool on_branch_ = false;
     bool finished_ = false;
-    solution::PathEnd end_;
+    model::PathEnd end_;
 };
 
 }  // namespace soft::solver

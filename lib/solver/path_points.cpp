@@ -34,7 +34,7 @@ void PathFollower::append(PathPoint& point) {
     if (&point != &*last_)
         point.load_work_J = last_->load_work_J + (point.step_work_J ? *point.step_work_J : work_of_step(*last_, point));
     const double direction = step_ < 0.0 ? -1.0 : 1.0;  // tangents point in the direction of travel
-    solution::Step step = step_of(system_, point, direction);
+    model::Step step = step_of(system_, point, direction);
     step.stage = stage_;
     step.newton_iterations = iterations_since_row_;
     step.factorizations = newton_.factorizations() - factorizations_at_row_;
@@ -67,8 +67,8 @@ bool PathFollower::is_stable_under_control(const PathPoint& point) const {
     return *point.tangent.unstable_modes == (load_falls(point) ? 1 : 0);
 }
 
-solution::LimitPoint PathFollower::location_of(const PathPoint& point) const {
-    solution::LimitPoint location{rows_, point.leading, std::nullopt, point.outputs};
+model::LimitPoint PathFollower::location_of(const PathPoint& point) const {
+    model::LimitPoint location{rows_, point.leading, std::nullopt, point.outputs};
     if (!input_.loads.empty() && system_.encloses_volume(0)) location.volume_m3 = point.load_volumes_m3[0];
     return location;
 }

@@ -8,19 +8,19 @@ namespace soft::solver {
 void PathFollower::keep_checkpoint() {
     if (!listeners_.checkpoint) return;
     const auto stored = [](const PathPoint& point) {
-        return solution::StatePoint{linalg::gather(point.state.x),
-                                    linalg::gather(point.tangent.x),
-                                    point.state.pressures_Pa,
-                                    point.tangent.pressures,
-                                    point.state.load_factor,
-                                    point.tangent.load_factor,
-                                    point.tangent.power,
-                                    point.outputs,
-                                    point.q,
-                                    point.load_work_J,
-                                    point.tangent.unstable_modes};
+        return model::StatePoint{linalg::gather(point.state.x),
+                                 linalg::gather(point.tangent.x),
+                                 point.state.pressures_Pa,
+                                 point.tangent.pressures,
+                                 point.state.load_factor,
+                                 point.tangent.load_factor,
+                                 point.tangent.power,
+                                 point.outputs,
+                                 point.q,
+                                 point.load_work_J,
+                                 point.tangent.unstable_modes};
     };
-    solution::Checkpoint checkpoint;
+    model::Checkpoint checkpoint;
     MPI_Comm_size(system_.comm(), &checkpoint.ranks);
     checkpoint.rows = rows_;
     checkpoint.stage = stage_;
@@ -46,7 +46,7 @@ void PathFollower::keep_checkpoint() {
     listeners_.checkpoint(checkpoint);
 }
 
-void PathFollower::restore(const solution::Checkpoint& from) {
+void PathFollower::restore(const model::Checkpoint& from) {
     int ranks = 1;
     MPI_Comm_size(system_.comm(), &ranks);
     const auto refuse = [](const std::string& problem, const char* remedy) {
@@ -65,7 +65,7 @@ void PathFollower::restore(const solution::Checkpoint& from) {
     if (!fits) refuse("its loads or stages differ from those of the case", "solve the case again without --resume");
     set_stage(from.stage, from.start);
     const auto size = static_cast<std::size_t>(system_.dofs().total), free = loads_->free_supplies().size();
-    const auto point_of = [&](const solution::StatePoint& stored) {
+    const auto point_of = [&](const model::StatePoint& stored) {
         if (stored.unknowns.size() != size || stored.tangent_unknowns.size() != size ||
             stored.pressures_Pa.size() != free || stored.tangent_pressures.size() != free ||
             stored.outputs.size() != system_.output_count())

@@ -7,7 +7,7 @@
 
 namespace soft::solver {
 
-using solution::StopReason;
+using model::StopReason;
 
 namespace {
 

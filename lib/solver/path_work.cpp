@@ -15,7 +15,7 @@ constexpr double flat_energy = 0.1;
 /// error of the quadrature.
 constexpr double falling = 0.7;
 constexpr int halvings = 7;
-/// Of the larger of both energies: half of what ends a solve with an error (fields/energy_balance.hpp).
+/// Of the larger of both energies: half of what ends a solve with an error (post/energy_balance.hpp).
 constexpr double energy_jump = 0.005;
 /// Mean displacement over the extent of the part below which rounding decides which fibres are taut.
 constexpr double rounding_strain = 1e-10;

@@ -14,7 +14,7 @@ constexpr double meets_goal = 5e-3;
 
 }  // namespace
 
-RefinedPath::RefinedPath(assembly::System& fine, const mesh::Refined& refined)
+RefinedPath::RefinedPath(fem::System& fine, const mesh::Refined& refined)
     : system_(fine),
       refined_(refined),
       newton_(fine, fine.input().solver),

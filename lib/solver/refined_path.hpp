@@ -22,7 +22,7 @@ enum class RowPosition { first, inside, ends_stage };
 class RefinedPath {
 public:
     /// `fine`: the system of the same case on the mesh of `refined`. Both must outlive it.
-    RefinedPath(assembly::System& fine, const mesh::Refined& refined);
+    RefinedPath(fem::System& fine, const mesh::Refined& refined);
 
     /// Call for the rows in the order of the path, `first` only for the first. The result's stability is that of the coarse row; its fields
     /// are omitted with Keep::values. nullopt where Newton's method does not converge.
@@ -40,7 +40,7 @@ private:
     [[nodiscard]] bool end_stage(State& state);
     [[nodiscard]] bool converges(const Constraint& constraint, double target, State& state);
 
-    assembly::System& system_;
+    fem::System& system_;
     const mesh::Refined& refined_;
     Newton newton_;
     int stage_ = -1;

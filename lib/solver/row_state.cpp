@@ -40,7 +40,7 @@ StageStart stage_start_at(const model::Case& input, const StageLoads& loads, con
     return start;
 }
 
-std::vector<double> undeformed_volumes_m3(assembly::System& system) {
+std::vector<double> undeformed_volumes_m3(fem::System& system) {
     const linalg::Vector undeformed = system.make_vector();
     std::vector<double> volumes;
     for (std::size_t load = 0; load < system.input().loads.size(); ++load)
@@ -48,14 +48,14 @@ std::vector<double> undeformed_volumes_m3(assembly::System& system) {
     return volumes;
 }
 
-void read_values(assembly::System& system, const StageLoads& loads, const PathPoint* before, PathPoint& point) {
-    LoadLevels slopes = assembly::moved(assembly::no_loads(system.input()), point.tangent.load_factor, loads.rate());
+void read_values(fem::System& system, const StageLoads& loads, const PathPoint* before, PathPoint& point) {
+    LoadLevels slopes = fem::moved(fem::no_loads(system.input()), point.tangent.load_factor, loads.rate());
     const auto& free = loads.free_supplies();
     for (std::size_t k = 0; k < free.size(); ++k) slopes.pressures_Pa[free[k]] = point.tangent.pressures[k];
     read_values(system, loads.levels(point.state.load_factor, point.state.pressures_Pa), slopes, before, point);
 }
 
-void read_values(assembly::System& system, const LoadLevels& levels, const LoadLevels& slopes, const PathPoint* before,
+void read_values(fem::System& system, const LoadLevels& levels, const LoadLevels& slopes, const PathPoint* before,
                  PathPoint& point) {
     const model::Case& input = system.input();
     system.prescribe(levels);
@@ -86,24 +86,24 @@ void read_values(assembly::System& system, const LoadLevels& levels, const LoadL
         }
     }
     for (std::size_t i = 0; i < system.output_count(); ++i) {
-        assembly::LoadLevels by_levels;
+        fem::LoadLevels by_levels;
         double value = system.output(i, point.state.x, gradient, &by_levels);
         if (model::is_angle(input.outputs[i].measure) && before != nullptr)  // angles continue beyond 180 degrees
             value = before->outputs[i] + std::remainder(value - before->outputs[i], 2.0 * std::numbers::pi);
         point.outputs.push_back(value);
-        point.output_slopes.push_back(linalg::dot(gradient, point.tangent.x) + assembly::product(by_levels, slopes));
+        point.output_slopes.push_back(linalg::dot(gradient, point.tangent.x) + fem::product(by_levels, slopes));
     }
     point.leading = leading_of(input, levels, point.state.load_factor);
     point.leading_slope = leading_of(input, slopes, point.tangent.load_factor);
 }
 
-solution::Step step_of(const assembly::System& system, const PathPoint& point, double direction) {
+model::Step step_of(const fem::System& system, const PathPoint& point, double direction) {
     const model::Case& input = system.input();
     const auto travelling = [direction](std::vector<double> slopes) {
         for (double& slope : slopes) slope *= direction;
         return slopes;
     };
-    solution::Step step;
+    model::Step step;
     step.load_factor = point.state.load_factor;
     step.pressure_Pa = point.leading;
     if (!input.loads.empty() && system.encloses_volume(0)) {
@@ -125,7 +125,7 @@ solution::Step step_of(const assembly::System& system, const PathPoint& point, d
     return step;
 }
 
-double read_stretches(assembly::System& system, Vec x, solution::Step& step) {
+double read_stretches(fem::System& system, Vec x, model::Step& step) {
     const auto stretch = system.stretches(x);
     step.stretch_p99 = stretch.p99;
     step.max_stretch = stretch.largest;
@@ -134,7 +134,7 @@ double read_stretches(assembly::System& system, Vec x, solution::Step& step) {
     return stretch.stored_energy_J;
 }
 
-void read_rubber(assembly::System& system, const PathPoint& point, double direction, solution::Step& step) {
+void read_rubber(fem::System& system, const PathPoint& point, double direction, model::Step& step) {
     system.prescribe(point.levels);
     const double stored_J = read_stretches(system, point.state.x, step);
     if (!system.has_symmetric_tangent()) return;
@@ -143,7 +143,7 @@ void read_rubber(assembly::System& system, const PathPoint& point, double direct
     step.energies = {whole * stored_J, whole * point.load_work_J, whole * direction * power};
 }
 
-double work_between(assembly::System& system, const PathPoint& from, const PathPoint& to, FromTangent of_from) {
+double work_between(fem::System& system, const PathPoint& from, const PathPoint& to, FromTangent of_from) {
     const linalg::Vector change = linalg::duplicate(to.state.x), middle = linalg::duplicate(to.state.x);
     const linalg::Vector start = linalg::duplicate(to.state.x), end = linalg::duplicate(to.state.x);
     SOFT_PETSC(VecWAXPY(change, -1.0, from.state.x, to.state.x));
@@ -155,9 +155,9 @@ double work_between(assembly::System& system, const PathPoint& from, const PathP
         const double factor = size > 0.0 ? std::copysign(length / size, linalg::dot(point.tangent.x, change)) : 0.0;
         linalg::copy(point.tangent.x, tangent);
         SOFT_PETSC(VecScale(tangent, factor));
-        return assembly::moved(assembly::no_loads(system.input()), factor, point.level_slopes);
+        return fem::moved(fem::no_loads(system.input()), factor, point.level_slopes);
     };
-    const auto difference = [&](const LoadLevels& a, const LoadLevels& b) { return assembly::moved(a, -1.0, b); };
+    const auto difference = [&](const LoadLevels& a, const LoadLevels& b) { return fem::moved(a, -1.0, b); };
     const LoadLevels turn = difference(to.levels, from.levels), end_rate = scaled(to, end);
     LoadLevels start_rate;
     if (of_from == FromTangent::along_the_path) {
@@ -165,16 +165,15 @@ double work_between(assembly::System& system, const PathPoint& from, const PathP
     } else {  // the parabola through both that has the tangent of `to`
         SOFT_PETSC(VecWAXPY(start, -1.0, end, change));
         linalg::add(start, 1.0, change);
-        start_rate = difference(assembly::moved(turn, 1.0, turn), end_rate);
+        start_rate = difference(fem::moved(turn, 1.0, turn), end_rate);
     }
     linalg::copy(from.state.x, middle);
     linalg::add(middle, 0.5, change);
     linalg::add(middle, 0.125, start);
     linalg::add(middle, -0.125, end);
-    LoadLevels levels = assembly::moved(from.levels, 0.5, turn),
-               rate = assembly::moved(assembly::no_loads(system.input()), 1.5, turn);
-    levels = assembly::moved(assembly::moved(levels, 0.125, start_rate), -0.125, end_rate);
-    rate = assembly::moved(assembly::moved(rate, -0.25, start_rate), -0.25, end_rate);
+    LoadLevels levels = fem::moved(from.levels, 0.5, turn), rate = fem::moved(fem::no_loads(system.input()), 1.5, turn);
+    levels = fem::moved(fem::moved(levels, 0.125, start_rate), -0.125, end_rate);
+    rate = fem::moved(fem::moved(rate, -0.25, start_rate), -0.25, end_rate);
     const double at_start = system.load_power(from.state.x, start, from.levels, start_rate);
     const double at_end = system.load_power(to.state.x, end, to.levels, end_rate);
     SOFT_PETSC(VecScale(change, 1.5));  // now the velocity in the middle
@@ -186,7 +185,7 @@ double work_between(assembly::System& system, const PathPoint& from, const PathP
     return std::isfinite(in_middle) ? (at_start + 4.0 * in_middle + at_end) / 6.0 : 0.5 * (at_start + at_end);
 }
 
-RowState row_state(assembly::System& system, const PathPoint& point, double direction, solution::Step step) {
+RowState row_state(fem::System& system, const PathPoint& point, double direction, model::Step step) {
     auto fields = system.gather_fields(point.state.x);
     RowState row{std::move(step), std::move(fields.displacement_m),
                  system.gather_fields(point.tangent.x).displacement_m, std::move(fields.pressure_Pa),

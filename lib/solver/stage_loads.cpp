@@ -18,7 +18,7 @@ double gas_pressure_Pa(const model::Gas& gas, double volume_m3, double mass_kg) 
 }
 
 StageStart unloaded(const model::Case& input, const std::vector<double>& undeformed_volumes_m3) {
-    const LoadLevels none = assembly::no_loads(input);
+    const LoadLevels none = fem::no_loads(input);
     StageStart start{none.pressures_Pa, undeformed_volumes_m3, {}, none.tractions, none.body_forces, none.motions};
     for (std::size_t i = 0; i < input.loads.size(); ++i)
         start.masses_kg.push_back(gas_mass_kg(input.loads[i].gas, undeformed_volumes_m3[i], 0.0));
@@ -27,7 +27,7 @@ StageStart unloaded(const model::Case& input, const std::vector<double>& undefor
 
 StageLoads::StageLoads(const model::Case& input, int stage, StageStart start,
                        const std::vector<double>& undeformed_volumes_m3)
-    : start_(std::move(start)), rate_(assembly::no_loads(input)) {
+    : start_(std::move(start)), rate_(fem::no_loads(input)) {
     const model::Stage& programme = input.path.stages.at(static_cast<std::size_t>(stage));
     begin_ = {start_.pressures_Pa, start_.tractions, start_.body_forces, start_.motions};
     for (std::size_t i = 0; i < input.loads.size(); ++i) {
@@ -60,7 +60,7 @@ StageLoads::StageLoads(const model::Case& input, int stage, StageStart start,
 }
 
 LoadLevels StageLoads::levels(double load_factor, const std::vector<double>& free_pressures_Pa) const {
-    LoadLevels levels = assembly::moved(begin_, load_factor, rate_);
+    LoadLevels levels = fem::moved(begin_, load_factor, rate_);
     for (std::size_t k = 0; k < free_.size(); ++k) levels.pressures_Pa[free_[k]] = free_pressures_Pa.at(k);
     return levels;
 }

@@ -8,13 +8,13 @@
 /// mass. Source: polytropic change of an ideal gas. Tested by solver/stage_loads_test.
 #include <vector>
 
-#include "assembly/system.hpp"
-#include "solution/checkpoint.hpp"
+#include "fem/system.hpp"
+#include "model/checkpoint.hpp"
 
 namespace soft::solver {
 
-using assembly::LoadLevels;
-using solution::StageStart;
+using fem::LoadLevels;
+using model::StageStart;
 
 /// Mass of the gas in volume V at gauge pressure p [kg], and the gauge pressure of a mass [Pa].
 [[nodiscard]] double gas_mass_kg(const model::Gas& gas, double volume_m3, double pressure_Pa);

@@ -7,9 +7,9 @@
 namespace soft::solver {
 
 using model::Control;
-using solution::StopReason;
+using model::StopReason;
 
-void PathFollower::set_stage(int index, solution::StageStart start) {
+void PathFollower::set_stage(int index, model::StageStart start) {
     stage_ = index;
     loads_.emplace(input_, index, std::move(start), undeformed_volumes_m3_);
     newton_.set_loads(*loads_);
@@ -180,7 +180,7 @@ void PathFollower::end_stage(const std::string& text) {
     if (static_cast<std::size_t>(stage_) + 1 == input_.path.stages.size())
         return finish(StopReason::done, text + " reached");
     log("stage " + stage().name + " ends: " + text + " reached at " + describe(*last_));
-    const solution::StageStart start = stage_start_at(input_, *loads_, *last_);
+    const model::StageStart start = stage_start_at(input_, *loads_, *last_);
     work_before_stage_J_ = last_->load_work_J;
     State state = std::move(last_->state);
     set_stage(stage_ + 1, start);

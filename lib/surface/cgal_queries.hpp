@@ -1,6 +1,6 @@
 #pragma once
 /// Geometric queries on surfaces, implemented with CGAL (Polygon Mesh Processing, AABB tree, box intersection; exact predicates).
-/// Tested by surface/report_test and surface/contact_test.
+/// Tested by surface/report_test and contact/contact_test.
 #include <array>
 #include <memory>
 #include <optional>

@@ -2,24 +2,12 @@
 /// The curved shape of a facet: the Lagrange map of its nodes. An edge of a section is extruded along z, so that sections and
 /// solids use the same geometry functions. Tested by surface/facet_map_test.
 #include <array>
-#include <cmath>
 #include <span>
 
+#include "math/vector.hpp"
 #include "mesh/mesh.hpp"
 
 namespace soft::surface {
-
-using Vector = std::array<double, 3>;
-
-[[nodiscard]] inline double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-[[nodiscard]] inline double norm(const Vector& a) { return std::sqrt(dot(a, a)); }
-[[nodiscard]] inline Vector cross(const Vector& a, const Vector& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-/// p + t d
-[[nodiscard]] inline Vector along(const Vector& p, double t, const Vector& d) {
-    return {p[0] + t * d[0], p[1] + t * d[1], p[2] + t * d[2]};
-}
 
 /// Reference coordinates on a facet; for a line the first is the reference coordinate and the second runs along z.
 using FacetPoint = std::array<double, 2>;
@@ -33,7 +21,7 @@ struct FacetMap {
 
     struct Value {
         mesh::Point x;
-        Vector t1, t2;  ///< dx/dxi; t1 x t2 points out of the cell (of a line: t2 is the unit vector z)
+        Vector3 t1, t2;  ///< dx/dxi; t1 x t2 points out of the cell (of a line: t2 is the unit vector z)
     };
     [[nodiscard]] Value operator()(const FacetPoint& xi) const;
 };

@@ -1,6 +1,6 @@
 #pragma once
 /// The physical surface of the body: the boundary of the mesh without the facets on symmetry planes.
-/// Tested by surface/wall_test and surface/contact_test.
+/// Tested by surface/wall_test and contact/contact_test.
 #include <array>
 #include <vector>
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Closest point on a set of triangles or of segments (CGAL AABB tree). Tested by surface/remesh_test.
+/// Closest point on a set of triangles or of segments (CGAL AABB tree). Tested by meshing/remesh_test.
 #include <array>
 #include <memory>
 #include <optional>

@@ -3,7 +3,7 @@
 #include <map>
 #include <set>
 
-#include "element/pressure_kernel.hpp"
+#include "fem/pressure_kernel.hpp"
 #include "model/cavity_surface.hpp"
 
 namespace soft::surface {
@@ -38,14 +38,14 @@ Point apex(const model::Case& model, const std::vector<RimEdge>& rim, std::span<
 /// Cache of the reference tables of facet types.
 class Tables {
 public:
-    const element::ReferenceFacet& operator[](mesh::CellType type) {
+    const fem::ReferenceFacet& operator[](mesh::CellType type) {
         const auto found = tables_.find(type);
         return found != tables_.end() ? found->second
-                                      : tables_.emplace(type, element::make_reference_facet(type)).first->second;
+                                      : tables_.emplace(type, fem::make_reference_facet(type)).first->second;
     }
 
 private:
-    std::map<mesh::CellType, element::ReferenceFacet> tables_;
+    std::map<mesh::CellType, fem::ReferenceFacet> tables_;
 };
 
 double caps_m3(const model::Case& model, const std::vector<RimEdge>& rim, std::span<const Point> positions,
@@ -56,7 +56,7 @@ double caps_m3(const model::Case& model, const std::vector<RimEdge>& rim, std::s
     double volume = 0;
     for (const RimEdge& edge : rim) {
         const auto& table = tables[edge.size() == 3 ? mesh::CellType::line3 : mesh::CellType::line2];
-        volume += element::cap_volume(table, gather(edge, 3, positions), c, gradient, apex_gradient);
+        volume += fem::cap_volume(table, gather(edge, 3, positions), c, gradient, apex_gradient);
     }
     return volume;
 }
@@ -70,9 +70,9 @@ double enclosed_volume_m3(const model::Case& model, std::span<const mesh::Facet>
     for (const mesh::Facet& facet : facets) {
         const auto& table = tables[mesh::facet_type(model.mesh, facet)];
         std::vector<double> gradient(static_cast<std::size_t>(table.dofs()));
-        volume += element::swept_volume(table, model.kinematics,
-                                        gather(mesh::facet_nodes(model.mesh, facet), model.mesh.dimension, positions),
-                                        gradient);
+        volume +=
+            fem::swept_volume(table, model.kinematics,
+                              gather(mesh::facet_nodes(model.mesh, facet), model.mesh.dimension, positions), gradient);
     }
     if (model.kinematics == model::Kinematics::solid)
         for (const auto& rim : model::rims(model, facets)) volume += caps_m3(model, rim, positions, tables);

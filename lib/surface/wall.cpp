@@ -27,7 +27,7 @@ std::vector<FacetPoint> samples(mesh::Shape shape) {
 
 /// Distance along the ray to the curved facet, by Newton's method from the hit on the triangle; the distance to the triangle if the
 /// ray misses the curved facet.
-double on_curved_facet(const FacetMap& map, const Point& from, const Vector& direction, double first_guess_m) {
+double on_curved_facet(const FacetMap& map, const Point& from, const Vector3& direction, double first_guess_m) {
     const bool is_triangle = mesh::topology(map.type).shape == mesh::Shape::triangle;
     FacetPoint xi{is_triangle ? 1 / 3.0 : 0, is_triangle ? 1 / 3.0 : 0};
     double t = first_guess_m;
@@ -36,7 +36,7 @@ double on_curved_facet(const FacetMap& map, const Point& from, const Vector& dir
         const FacetMap::Value at = map(xi);
         size = std::max({size, norm(at.t1), mesh::dimension(map.type) == 1 ? 0 : norm(at.t2)});
         // t1 du + t2 dv - d dt = p + t d - x, by Cramer's rule
-        const Vector gap = along(along(from, t, direction), -1, at.x);
+        const Vector3 gap = along(along(from, t, direction), -1, at.x);
         const double determinant = -dot(direction, cross(at.t1, at.t2));
         if (determinant == 0) return first_guess_m;
         const double du = -dot(direction, cross(gap, at.t2)) / determinant;
@@ -68,7 +68,7 @@ public:
     /// Wall thickness at a point of a cavity facet.
     [[nodiscard]] std::optional<WallThickness> at(std::size_t facet, const FacetMap& map, const FacetPoint& xi) const {
         const FacetMap::Value start = map(xi);
-        Vector d = cross(start.t2, start.t1);  // into the rubber
+        Vector3 d = cross(start.t2, start.t1);  // into the rubber
         const double length_of_d = norm(d);
         if (!(length_of_d > 0)) return std::nullopt;
         for (double& component : d) component /= length_of_d;
@@ -87,7 +87,7 @@ private:
         return found != boundary_.end() && *found == cavity_[facet] ? static_cast<int>(found - boundary_.begin()) : -1;
     }
 
-    [[nodiscard]] std::optional<double> trace(Point from, Vector d, int skip) const {
+    [[nodiscard]] std::optional<double> trace(Point from, Vector3 d, int skip) const {
         constexpr int max_reflections = 8;
         double length = 0;
         for (int leg = 0; leg <= max_reflections; ++leg) {

@@ -30,7 +30,7 @@ struct Row {
     std::string missing;                        ///< the reason if there are no values
 };
 
-Row row_at(const SourceText& point, const post::Curve& curve, std::span<const solution::LimitPoint> limit_points) {
+Row row_at(const SourceText& point, const post::Curve& curve, std::span<const model::LimitPoint> limit_points) {
     const auto row = [&curve](std::size_t r) {
         std::vector<double> values;
         for (const post::Column& column : curve.columns) values.push_back(column.values.at(r));
@@ -108,7 +108,7 @@ std::string column_at(const std::string& column, const std::string& point, const
     return column + "_at_" + (is_load ? "" : quantity + "_") + number + (needs_separator ? "_" : "") + unit;
 }
 
-Outputs outputs_of(const Sweep& sweep, const post::Curve& curve, std::span<const solution::LimitPoint> limit_points) {
+Outputs outputs_of(const Sweep& sweep, const post::Curve& curve, std::span<const model::LimitPoint> limit_points) {
     Outputs outputs;
     for (const SourceText& point : sweep.at) {
         const auto [values, missing] = row_at(point, curve, limit_points);
@@ -126,15 +126,15 @@ Outputs outputs_of(const Sweep& sweep, const post::Curve& curve, std::span<const
 }
 
 post::Curve unsolved_curve(const model::Case& model) {
-    solution::Step step;
+    model::Step step;
     step.outputs.assign(model.outputs.size(), 0);
     if (model.loads.size() > 1) step.pressures_Pa.assign(model.loads.size(), 0);
     const std::size_t cavities = model::measured_cavities(model).size();
     if (cavities > 0) step.volume_m3 = 0;
     if (cavities > 1) step.volumes_m3.assign(cavities, 0);
-    if (model.dynamics) step.motion = solution::Step::Motion{};
-    step.energies = solution::Step::Energies{};
-    step.extremes = solution::Step::Extremes{};
+    if (model.dynamics) step.motion = model::Step::Motion{};
+    step.energies = model::Step::Energies{};
+    step.extremes = model::Step::Extremes{};
     return post::make_curve(model, {&step, 1});
 }
 

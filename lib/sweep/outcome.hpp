@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "model/case.hpp"
+#include "model/path.hpp"
 #include "post/curve.hpp"
-#include "solution/path.hpp"
 #include "sweep/sweep.hpp"
 
 namespace soft::sweep {
@@ -54,7 +54,7 @@ struct Outcome {
 /// If the path crosses a value several times, the first crossing is used. A point that the path does not reach has no value but a
 /// reason. Errors (bad_input, with the location in the sweep file): a quantity or value that the curve cannot have.
 [[nodiscard]] Outputs outputs_of(const Sweep& sweep, const post::Curve& curve,
-                                 std::span<const solution::LimitPoint> limit_points);
+                                 std::span<const model::LimitPoint> limit_points);
 
 /// A curve for a case that is not solved yet: one row of zeros with all possible columns.
 [[nodiscard]] post::Curve unsolved_curve(const model::Case& model);

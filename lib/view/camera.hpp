@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/tensor.hpp"
+#include "math/tensor.hpp"
 
 namespace soft::view {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "core/tensor.hpp"
+#include "math/tensor.hpp"
 
 namespace soft::view {
 

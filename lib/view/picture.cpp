@@ -47,7 +47,7 @@ Range range_of(const PictureStyle& look, std::span<const Shot> shots) {
             range.high = std::max(range.high, value);
         }
     const double size = std::max(std::abs(range.low), std::abs(range.high));
-    const double least = std::max(1e-3 * fields::info(look.quantity).SI_per_unit, 1e-4 * size);
+    const double least = std::max(1e-3 * post::info(look.quantity).SI_per_unit, 1e-4 * size);
     const double missing = least - (range.high - range.low);
     if (missing > 0) {
         range.low -= 0.5 * missing;
@@ -167,7 +167,7 @@ double scale_bar_m(double max_m) {
 }
 
 std::string picture_script(const PictureStyle& look, const Framing& frame, const Shot& shot, const Raster& raster) {
-    const auto& info = fields::info(look.quantity);
+    const auto& info = post::info(look.quantity);
     const std::string w = std::to_string(frame.width_px), h = std::to_string(frame.height_px);
     const double font = frame.width_px / 64.0;
     // A letter is about 0.78 of the font size in points wide; long titles use a smaller font.

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/files.hpp"
-#include "fields/quantity.hpp"
+#include "post/quantity.hpp"
 #include "view/camera.hpp"
 #include "view/raster.hpp"
 #include "view/skin.hpp"
@@ -23,7 +23,7 @@ struct Range {
 };
 
 struct PictureStyle {
-    fields::Quantity quantity = fields::Quantity::stretch;
+    post::Quantity quantity = post::Quantity::stretch;
     Camera camera;
     std::optional<Range> range;             ///< empty: range of the values in the shots
     int width_px = 1600, height_px = 1200;  ///< maximum height: a long body gets a lower picture, at least half of it

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/tensor.hpp"
+#include "math/tensor.hpp"
 #include "view/palette.hpp"
 
 namespace soft::view {

@@ -36,7 +36,7 @@ void check(const SkinOptions& options) {
 
 class Builder {
 public:
-    Builder(const model::Case& model, const fields::RegionPoints& region_points, const SkinOptions& options)
+    Builder(const model::Case& model, const post::RegionPoints& region_points, const SkinOptions& options)
         : model_(model),
           region_points_(region_points),
           options_(options),
@@ -251,7 +251,7 @@ private:
     }
 
     const model::Case& model_;
-    const fields::RegionPoints& region_points_;
+    const post::RegionPoints& region_points_;
     const SkinOptions& options_;
     double tolerance_m_;
     bool closed_ = false;
@@ -266,7 +266,7 @@ private:
 
 }  // namespace
 
-Skin make_skin(const model::Case& model, const fields::RegionPoints& region_points, const SkinOptions& options) {
+Skin make_skin(const model::Case& model, const post::RegionPoints& region_points, const SkinOptions& options) {
     check(options);
     return Builder(model, region_points, options).run();
 }

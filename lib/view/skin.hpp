@@ -1,7 +1,7 @@
 #pragma once
 /// The surface of the body as flat polygons, built once per case and moved through the steps, for pictures and reports.
 ///
-/// Two levels. Bases: points on the surface of the modelled part, each a sum over region points (fields/region_points.hpp)
+/// Two levels. Bases: points on the surface of the modelled part, each a sum over region points (post/region_points.hpp)
 /// with shape functions as weights; their positions and values change with the step. Vertices: a base mapped into space by
 /// one of a few linear maps (`placements`): the identity, reflections, rotations about the x axis. A step therefore needs only
 /// one small array of bases.
@@ -15,8 +15,8 @@
 #include <span>
 #include <vector>
 
-#include "fields/region_points.hpp"
 #include "model/case.hpp"
+#include "post/region_points.hpp"
 
 namespace soft::view {
 
@@ -59,12 +59,12 @@ struct Skin {
 };
 
 /// Throws Error(usage) for options out of range.
-[[nodiscard]] Skin make_skin(const model::Case& model, const fields::RegionPoints& region_points,
+[[nodiscard]] Skin make_skin(const model::Case& model, const post::RegionPoints& region_points,
                              const SkinOptions& options);
 
 /// Positions of the bases. `displacement_m` [point, 3]; empty: the undeformed body.
 [[nodiscard]] std::vector<Point> base_positions(const Skin& skin, const model::Case& model,
-                                                const fields::RegionPoints& region_points,
+                                                const post::RegionPoints& region_points,
                                                 std::span<const double> displacement_m);
 /// A field over the region points at the bases.
 [[nodiscard]] std::vector<double> base_values(const Skin& skin, std::span<const double> nodal);

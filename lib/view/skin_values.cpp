@@ -3,7 +3,7 @@
 
 namespace soft::view {
 
-std::vector<Point> base_positions(const Skin& skin, const model::Case& model, const fields::RegionPoints& region_points,
+std::vector<Point> base_positions(const Skin& skin, const model::Case& model, const post::RegionPoints& region_points,
                                   std::span<const double> displacement_m) {
     std::vector<Point> bases(skin.base_count());
     for (std::size_t b = 0; b < bases.size(); ++b)

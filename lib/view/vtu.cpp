@@ -31,12 +31,12 @@ void add_array(pugi::xml_node parent, const char* type, const std::string& name,
     node.text().set(core::base64(whole).c_str());
 }
 
-void add_arrays(pugi::xml_node parent, std::span<const solution::NamedArray> arrays) {
-    for (const solution::NamedArray& array : arrays)
+void add_arrays(pugi::xml_node parent, std::span<const model::NamedArray> arrays) {
+    for (const model::NamedArray& array : arrays)
         add_array(parent, "Float64", array.name, array.components, array.values);
 }
 
-void add_cells(pugi::xml_node parent, const mesh::Mesh& mesh, const fields::RegionPoints& region_points) {
+void add_cells(pugi::xml_node parent, const mesh::Mesh& mesh, const post::RegionPoints& region_points) {
     std::vector<std::int64_t> connectivity(region_points.connectivity.begin(), region_points.connectivity.end());
     std::vector<std::int64_t> offsets(mesh.offsets.begin() + 1, mesh.offsets.end());
     std::vector<std::uint8_t> types;
@@ -65,8 +65,8 @@ std::string text_of(const pugi::xml_document& document) {
 
 }  // namespace
 
-std::string vtu_text(const mesh::Mesh& mesh, const fields::RegionPoints& region_points,
-                     std::span<const solution::NamedArray> at_points, std::span<const solution::NamedArray> at_cells) {
+std::string vtu_text(const mesh::Mesh& mesh, const post::RegionPoints& region_points,
+                     std::span<const model::NamedArray> at_points, std::span<const model::NamedArray> at_cells) {
     std::vector<double> positions;
     for (const mesh::Index node : region_points.node) {
         const mesh::Point& x = mesh.point(node);

@@ -3,7 +3,7 @@
 add_library(soft_flags INTERFACE)
 target_compile_options(soft_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
                                             -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual)
-# core/lanes.hpp passes vectors to functions that are always inlined, so that the calling convention does not matter.
+# math/lanes.hpp passes vectors to functions that are always inlined, so that the calling convention does not matter.
 target_compile_options(soft_flags INTERFACE -Wno-psabi)
 # In a unity build helpers of one source may shadow names of another source of the same module. .ci/run compiles each source
 # separately with clang and keeps both warnings.
@@ -29,7 +29,7 @@ endif()
 
 # Modules with numerical kernels. In a release build the other modules and the programs use -O2 and the tests -O1, which compile in two
 # thirds of the time of -O3. With sanitizers (.ci/run, -O0) the modules of this list use -O1.
-set(soft_computing_modules core mesh surface material element linalg assembly solver dynamics meshing geometry fit)
+set(soft_computing_modules core math mesh surface contact material fem linalg solver meshing geometry fit)
 
 # soft_module(name SOURCES a.cpp b.cpp USES core mesh LIBRARIES soft_petsc)
 function(soft_module name)

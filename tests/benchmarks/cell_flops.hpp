@@ -1,5 +1,5 @@
 #pragma once
-/// Flops per cell of the algorithm in element/cell_kinematics.cpp, material/chain_rule.hpp and element/cell_sums.cpp. A multiply-add counts
+/// Flops per cell of the algorithm in fem/cell_kinematics.cpp, material/chain_rule.hpp and fem/cell_sums.cpp. A multiply-add counts
 /// as two flops, a division as one. Not counted, although computed: padding lanes beyond the last point, entries that are equal to others
 /// by symmetry (BLAS computes whole diagonal blocks), zeros of the hoop and the third direction in sections, and the derivatives of the law
 /// by its invariants, which differ between laws. The reported rates are therefore lower bounds.
@@ -11,7 +11,7 @@
 ///   residual   volume P, then grad N of it: sum g_i Q (1 + 2 n); pressures Q (2 + 3 s)
 ///   fill       volume A, then A : grad N, for k >= i: g_i Q (g_k + n (2 g_k - 1)); couplings sum g_i Q (1 + s)
 ///   product    2 g_i Q for every entry on and above the diagonal, couplings included; compliance Q s + Q s (s + 1)
-#include "element/reference_cell.hpp"
+#include "fem/reference_cell.hpp"
 #include "model/case.hpp"
 
 namespace soft::benchmarks {
@@ -32,12 +32,12 @@ struct PointFlops {
 // planar: the same for the 5 components and 15 entries that are non-zero.
 inline constexpr PointFlops solid_point{119, 191, 687}, planar_point{32, 83, 275};
 
-[[nodiscard]] inline CellFlops cell_flops(const element::ReferenceCell& cell, model::Kinematics kinematics) {
+[[nodiscard]] inline CellFlops cell_flops(const fem::ReferenceCell& cell, model::Kinematics kinematics) {
     const bool axisymmetric = kinematics == model::Kinematics::axisymmetric;
     const double n = cell.nodes, Q = cell.points, d = cell.dimension, s = cell.pressure_dofs;
     const auto directions = [&](int i) { return axisymmetric && i == 1 ? 3.0 : d; };
     const PointFlops point = cell.dimension == 3 ? solid_point : planar_point;
-    const bool needs_positions = axisymmetric || cell.pressure == element::PressureSpace::discontinuous_linear;
+    const bool needs_positions = axisymmetric || cell.pressure == fem::PressureSpace::discontinuous_linear;
     double all = 0;
     for (int i = 0; i < cell.dimension; ++i) all += directions(i);
 

@@ -5,25 +5,25 @@
 #include <iostream>
 #include <string>
 
-#include "../assembly/sample_cases.hpp"
-#include "../element/matrix.hpp"
-#include "assembly/system.hpp"
+#include "../fem/matrix.hpp"
+#include "../fem/sample_cases.hpp"
 #include "cell_flops.hpp"
+#include "fem/system.hpp"
 #include "linalg/session.hpp"
 #include "peak.hpp"
 
 namespace soft::benchmarks {
 namespace {
 
-using element::Form;
+using fem::Form;
 using material::Wanted;
 using mesh::CellType;
 using model::Kinematics;
 
 struct CellCase {
-    element::Combination combination;
+    fem::Combination combination;
     const char* law;
-    [[nodiscard]] std::string name() const { return element::label(combination) + " " + law; }
+    [[nodiscard]] std::string name() const { return fem::label(combination) + " " + law; }
 };
 
 std::vector<CellCase> cell_cases() {
@@ -42,13 +42,13 @@ void set_rates(benchmark::State& state, double flops, const Peak& peak) {
 
 /// Integrates the residual, and the stiffness if requested, of one distorted cell repeatedly.
 void time_cell(benchmark::State& state, const CellCase& which, Wanted wanted, const Peak& peak) {
-    const element::Sample sample(which.combination, element::rubber_of(*material::find_law(which.law)));
+    const fem::Sample sample(which.combination, fem::rubber_of(*material::find_law(which.law)));
     const auto input = sample.input(sample.unknowns);
-    element::CellOutput out(sample.cell);
+    fem::CellOutput out(sample.cell);
     std::visit(
         [&](const auto& rubber) {
             for (auto _ : state) {
-                element::integrate_cell(sample.cell, which.combination.kinematics, rubber, input, wanted, out);
+                fem::integrate_cell(sample.cell, which.combination.kinematics, rubber, input, wanted, out);
                 benchmark::DoNotOptimize(out.residual.data());
                 benchmark::ClobberMemory();
             }
@@ -70,8 +70,8 @@ model::Case box() {
 /// Adds the block of one cell after another to the matrix of a mesh with linalg::BlockAdder.
 void time_scatter(benchmark::State& state) {
     const model::Case input = box();
-    assembly::System system(input, PETSC_COMM_SELF);
-    const auto cell = element::make_reference_cell(CellType::hex27, Form::mixed);
+    fem::System system(input, PETSC_COMM_SELF);
+    const auto cell = fem::make_reference_cell(CellType::hex27, Form::mixed);
     const linalg::Matrix K = system.make_matrix();
     std::vector<std::vector<PetscInt>> dofs(static_cast<std::size_t>(input.mesh.cell_count()));
     for (std::size_t c = 0; c < dofs.size(); ++c)
@@ -89,19 +89,19 @@ void time_scatter(benchmark::State& state) {
 /// System::evaluate of a mesh. All benchmarks have the same counters, because the CSV writer fails otherwise.
 void time_evaluation(benchmark::State& state, Wanted wanted, const Peak& peak) {
     const model::Case input = box();
-    assembly::System system(input, PETSC_COMM_SELF);
+    fem::System system(input, PETSC_COMM_SELF);
     const linalg::Vector x = system.make_vector(), R = system.make_vector();
     SOFT_PETSC(VecSetRandom(x, nullptr));
     SOFT_PETSC(VecScale(x, 1e-6));  // small compared with 10 mm: distorted cells, none inverted
     const linalg::Matrix K = system.make_matrix();
-    const auto levels = assembly::no_loads(input);
+    const auto levels = fem::no_loads(input);
     const auto cells = static_cast<double>(input.mesh.cell_count());
     static_cast<void>(
         system.evaluate(x, levels, R, K));  // the first evaluation looks up the indices of the matrix entries
     for (auto _ : state)
         if (!system.evaluate(x, levels, R, wanted == Wanted::stress ? nullptr : K.get()).admissible())
             state.SkipWithError("the sample mesh is inverted");
-    const auto cell = element::make_reference_cell(CellType::hex27, Form::mixed);
+    const auto cell = fem::make_reference_cell(CellType::hex27, Form::mixed);
     const CellFlops flops = cell_flops(cell, Kinematics::solid);
     set_rates(state, cells * (wanted == Wanted::stress ? flops.residual : flops.total()), peak);
 }

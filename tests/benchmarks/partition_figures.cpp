@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <set>
 
-#include "assembly/partition.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "fem/partition.hpp"
 #include "io/case_file.hpp"
 #include "linalg/session.hpp"
 
@@ -21,7 +21,7 @@ struct Figures {
     std::vector<long> cells, own, ghosts, neighbours;  // [part]; own and ghosts in unknowns
 };
 
-/// A node belongs to the lowest part that uses it, as in assembly/dof_map.hpp. Ghosts are the nodes of a part's cells that belong to other
+/// A node belongs to the lowest part that uses it, as in fem/dof_map.hpp. Ghosts are the nodes of a part's cells that belong to other
 /// parts. Pressures of hexahedra belong to the part of their cell; those of wedges (few, at the axis) are ignored.
 Figures figures_of(const mesh::Mesh& mesh, const std::vector<int>& part_of_cell, int parts) {
     const auto count = static_cast<std::size_t>(parts);
@@ -60,7 +60,7 @@ double mean(const std::vector<long>& values) {
 }
 
 void print_row(const mesh::Mesh& mesh, int parts) {
-    const auto figures = figures_of(mesh, assembly::partition_cells(mesh, MPI_COMM_WORLD, parts), parts);
+    const auto figures = figures_of(mesh, fem::partition_cells(mesh, MPI_COMM_WORLD, parts), parts);
     const auto largest = [](const std::vector<long>& values) { return *std::ranges::max_element(values); };
     std::printf("%d,%.0f,%ld,%.0f,%ld,%.0f,%ld,%.3f,%.1f,%ld\n", parts, mean(figures.cells), largest(figures.cells),
                 mean(figures.own), largest(figures.own), mean(figures.ghosts), largest(figures.ghosts),

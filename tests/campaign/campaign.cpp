@@ -50,10 +50,9 @@ int outcomes(const fs::path& folder, const fs::path& plan) {
 int confirm(const fs::path& file, const std::string& claimed) {
     io::Result result = io::read_result(core::read_file(file), file.string());
     if (!claimed.empty()) {
-        using enum solution::StopReason;
+        using enum model::StopReason;
         const auto reasons = {done, limit_point, diverged, inverted_element, self_contact, step_limit};
-        const auto named =
-            std::ranges::find(reasons, claimed, [](solution::StopReason r) { return solution::name(r); });
+        const auto named = std::ranges::find(reasons, claimed, [](model::StopReason r) { return model::name(r); });
         if (named == reasons.end() || !result.end) throw std::runtime_error("unknown stop reason " + claimed);
         result.end->reason = *named;
     }

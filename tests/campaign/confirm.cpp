@@ -11,8 +11,8 @@
 namespace soft::campaign {
 namespace {
 
-using solution::Step;
-using solution::StopReason;
+using model::Step;
+using model::StopReason;
 
 /// Relative tolerance within which loads and goals are reached.
 constexpr double goal_tolerance = 1e-6;

@@ -8,7 +8,7 @@
 namespace soft::campaign {
 namespace {
 
-using solution::Step;
+using model::Step;
 
 constexpr double max_energy_gap = 0.01;
 /// Relative to the prescribed displacement.
@@ -35,7 +35,7 @@ std::string motions(const io::Result& result) {
     if (result.model.path.stages.size() != 1) return "";
     const auto last = result.fields.read(static_cast<std::int64_t>(result.steps.size()) - 1);
     const bool is_complete =
-        result.end && result.end->reason == solution::StopReason::done && result.model.path.stages[0].until.empty();
+        result.end && result.end->reason == model::StopReason::done && result.model.path.stages[0].until.empty();
     const mesh::Mesh& mesh = result.model.mesh;
     for (const model::Motion& motion : result.model.motions) {
         for (const mesh::Facet& facet : mesh.facet_sets.at(motion.face))
@@ -53,19 +53,19 @@ std::string motions(const io::Result& result) {
     return "";
 }
 
-std::string tiny_loads(std::span<const Step> rows, solution::StopReason end) {
+std::string tiny_loads(std::span<const Step> rows, model::StopReason end) {
     const auto is_tiny = [](const Step& step) {
         return step.max_stretch < 1 + tiny_strain && step.min_jacobian > 1 - tiny_strain;
     };
     if (!std::ranges::all_of(rows, is_tiny)) return "";
-    if (end != solution::StopReason::done) return "a linear response ends as " + std::string{solution::name(end)};
+    if (end != model::StopReason::done) return "a linear response ends as " + std::string{model::name(end)};
     if (rows.size() > max_linear_rows) return "a linear response needs " + std::to_string(rows.size()) + " rows";
     return "";
 }
 
 }  // namespace
 
-std::string inconsistency(const model::Case& model, std::span<const Step> rows, solution::StopReason end) {
+std::string inconsistency(const model::Case& model, std::span<const Step> rows, model::StopReason end) {
     if (model.dynamics || rows.empty()) return "";
     std::string wrong = energies(rows);
     return wrong.empty() && model.path.stages.size() == 1 ? tiny_loads(rows, end) : wrong;

@@ -15,7 +15,7 @@ namespace soft::campaign {
 [[nodiscard]] std::string inconsistency(const io::Result& result);
 
 /// Checks the rows only: energies and tiny loads.
-[[nodiscard]] std::string inconsistency(const model::Case& model, std::span<const solution::Step> rows,
-                                        solution::StopReason end);
+[[nodiscard]] std::string inconsistency(const model::Case& model, std::span<const model::Step> rows,
+                                        model::StopReason end);
 
 }  // namespace soft::campaign

@@ -14,7 +14,6 @@ namespace {
 using mesh::Index;
 using mesh::Point;
 using surface::FacetPoint;
-using surface::Vector;
 
 /// [rad] A crease is closed if the rubber fills more than a full turn by up to this angle. It was open if the rubber filled less than that.
 constexpr double max_closed_angle = 0.5;
@@ -25,27 +24,25 @@ constexpr std::array edge_samples{0.01, 0.25, 0.5, 0.75, 0.99};
 
 /// Directions at a point of a facet's edge: the outward normal, and the direction into the facet perpendicular to the edge.
 struct Side {
-    Vector out, inward;
+    Vector3 out, inward;
 };
 
 Side side_of(const surface::FacetMap& map, const FacetPoint& from, const FacetPoint& to, const FacetPoint& in,
              double s) {
     const auto at = map({from[0] + s * (to[0] - from[0]), from[1] + s * (to[1] - from[1])});
     const auto direction = [&](const FacetPoint& xi) {
-        return surface::along({xi[0] * at.t1[0], xi[0] * at.t1[1], xi[0] * at.t1[2]}, xi[1], at.t2);
+        return along({xi[0] * at.t1[0], xi[0] * at.t1[1], xi[0] * at.t1[2]}, xi[1], at.t2);
     };
     const bool line = mesh::topology(map.type).shape == mesh::Shape::line;
-    const Vector edge = line ? at.t2 : direction({to[0] - from[0], to[1] - from[1]});
-    const Vector inward = direction(in);
-    return {surface::cross(at.t1, at.t2),
-            surface::along(inward, -surface::dot(inward, edge) / surface::dot(edge, edge), edge)};
+    const Vector3 edge = line ? at.t2 : direction({to[0] - from[0], to[1] - from[1]});
+    const Vector3 inward = direction(in);
+    return {cross(at.t1, at.t2), along(inward, -dot(inward, edge) / dot(edge, edge), edge)};
 }
 
 /// Angle from a facet through the rubber to the direction of another facet, in (-pi, pi]: negative beyond half a turn (minus the angle of
 /// the remaining air) and positive again beyond a full turn.
-double angle(const Side& side, const Vector& other) {
-    return std::atan2(-surface::dot(side.out, other) / surface::norm(side.out),
-                      surface::dot(side.inward, other) / surface::norm(side.inward));
+double angle(const Side& side, const Vector3& other) {
+    return std::atan2(-dot(side.out, other) / norm(side.out), dot(side.inward, other) / norm(side.inward));
 }
 
 }  // namespace
@@ -85,9 +82,9 @@ double Creases::rubber_angle(const Crease& crease, double along, std::span<const
         return side_of(surface::facet_map(model_.mesh, skin_[b.facet], positions), b.from, b.to, b.inward, along);
     };
     const Side one = side(crease.one);
-    Vector other = crease.mirror < 0 ? side(crease.other).inward : one.inward;
+    Vector3 other = crease.mirror < 0 ? side(crease.other).inward : one.inward;
     if (crease.mirror >= 0) other[static_cast<std::size_t>(crease.mirror)] *= -1;
-    const double length = surface::norm(other);
+    const double length = norm(other);
     for (double& component : other) component /= length;
     return angle(one, other);
 }

@@ -106,7 +106,7 @@ Outcome outcome_of(const std::filesystem::path& folder, const PlannedDesign& des
     const io::Result result = io::read_result(core::read_file(own / "result.h5"), (own / "result.h5").string());
     outcome.rows = static_cast<int>(result.steps.size());
     if (!result.steps.empty()) outcome.stretch = result.steps.back().stretch_p99;
-    if (result.end) outcome.reason = solution::name(result.end->reason);
+    if (result.end) outcome.reason = model::name(result.end->reason);
     const Verdict verdict = confirm(result);
     // The exit code must agree with the stop reason.
     outcome.confirmed = verdict.confirmed && (outcome.exit_code == 0) == (outcome.reason == "done");

@@ -172,7 +172,7 @@ bool ShapeChecks::crosses_symmetry_plane(const mesh::Mesh& mesh) const {
                     simplex ? surface::FacetPoint{a, b} : surface::FacetPoint{2 * a - 1, 2 * b - 1};
                 const Point was = before(xi).x;
                 const auto is = now(xi);
-                const surface::Vector out = surface::cross(is.t1, is.t2);
+                const Vector3 out = cross(is.t1, is.t2);
                 for (std::size_t d = 0; d < 3; ++d)
                     if (mirrors[d] && std::abs(was[d]) > crossing_tolerance * extent_m_ && is.x[d] * was[d] < 0 &&
                         out[d] * was[d] < 0)

@@ -2,16 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include "../surface/contact_samples.hpp"
+#include "../contact/contact_samples.hpp"
 
 namespace soft::campaign {
 namespace {
 
+using contact::test::Cells;
+using contact::test::displacement;
+using contact::test::Motion;
 using mesh::Point;
-using surface::test::Cells;
-using surface::test::displacement;
-using surface::test::Motion;
-namespace bodies = surface::test;
+namespace bodies = contact::test;
 
 std::string contact(const model::Case& model, const Motion& now, const Motion& before) {
     return ShapeChecks{model}.contact(displacement(model, now), displacement(model, before));

@@ -1,5 +1,5 @@
 /// Fuzz target: surfaces in STL and OBJ format, and their repair.
-#include "surface/body_surface.hpp"
+#include "meshing/body_surface.hpp"
 
 #include <cmath>
 
@@ -8,8 +8,8 @@
 void soft::fuzz::read(std::span<const std::byte> bytes) {
     for (const char* name : {"fuzz.stl", "fuzz.obj"})
         even_so([&] {
-            const auto soup = surface::read_soup(std::string{text_of(bytes)}, name);
-            const surface::BodySurface body = surface::body_surface(soup, {.name = name});
+            const auto soup = meshing::read_soup(std::string{text_of(bytes)}, name);
+            const meshing::BodySurface body = meshing::body_surface(soup, {.name = name});
             require(std::isfinite(body.volume_m3()) && std::isfinite(body.area_m2()), "volume and area are finite");
         });
 }

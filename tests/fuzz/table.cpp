@@ -1,5 +1,5 @@
 /// Fuzz target: CSV with measured curves, test data and outlines of profiles.
-#include "table/table.hpp"
+#include "core/table.hpp"
 
 #include <cmath>
 
@@ -9,15 +9,15 @@
 
 void soft::fuzz::read(std::span<const std::byte> bytes) {
     const std::string_view text = text_of(bytes);
-    for (const table::Layout layout : {table::Layout::plain, table::Layout::described})
-        for (const table::Decimal decimal : {table::Decimal::either, table::Decimal::comma})
+    for (const core::Layout layout : {core::Layout::plain, core::Layout::described})
+        for (const core::Decimal decimal : {core::Decimal::either, core::Decimal::comma})
             even_so([&] {
-                const table::Table table = table::read_table(text, "fuzz.csv", {.decimal = decimal, .layout = layout});
+                const core::Table table = core::read_table(text, "fuzz.csv", {.decimal = decimal, .layout = layout});
                 require(table.lines.size() == table.rows.size(), "each row has a line");
                 for (const auto& row : table.rows) require(row.size() == table.width(), "rows are of one width");
                 for (std::size_t column = 0; column < table.width() && column < 8; ++column)
                     even_so([&] {
-                        for (const double value : table::numbers(table, column))
+                        for (const double value : core::numbers(table, column))
                             require(std::isfinite(value), "a number is finite");
                     });
             });

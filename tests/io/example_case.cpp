@@ -38,7 +38,7 @@ std::vector<double> numbers(int count, double first) {
     return list;
 }
 
-solution::StatePoint example_state(double first) {
+model::StatePoint example_state(double first) {
     return {numbers(9, first), numbers(9, -first),    numbers(2, first), numbers(2, 3 * first), 0.25, -0.5,
             -1e-3 * first,     numbers(2, 2 * first), 1e-7 * first,      2e-3 * first,          3};
 }
@@ -180,8 +180,8 @@ model::Case dynamic_case() {
     return model;
 }
 
-solution::Step moving_step(int number) {
-    solution::Step step;
+model::Step moving_step(int number) {
+    model::Step step;
     step.load_factor = 0.1 * number;
     step.pressure_Pa = -2.5e4 * step.load_factor;
     step.outputs = {1e-3 * number};
@@ -207,9 +207,9 @@ std::vector<std::byte> section_image() {
     return write_case(section_case(), example_design(), example_provenance("mesh-gen"));
 }
 
-solution::Step example_step(int number) {
+model::Step example_step(int number) {
     const double t = 0.1 * number;
-    solution::Step step;
+    model::Step step;
     step.stage = std::min(number / 2, 2);
     step.load_factor = t;
     step.pressure_Pa = 3e4 * t;
@@ -248,8 +248,8 @@ std::vector<double> example_pressure(int number) {
     return values;
 }
 
-solution::PathEnd example_end() {
-    solution::PathEnd end{solution::StopReason::limit_point, "the pressure has a maximum", {}, {}, 21, 17};
+model::PathEnd example_end() {
+    model::PathEnd end{model::StopReason::limit_point, "the pressure has a maximum", {}, {}, 21, 17};
     end.limit_points = {{1, 44338.7, 2e-5, {0.01345, 0}}};
     end.bifurcations.resize(2);
     end.bifurcations[0].at = {0, 26e3, 1.8e-5, {0.011, 0.1}};
@@ -281,8 +281,8 @@ void overwrite_typed(hid_t file, const char* name, std::size_t first, const std:
 
 }  // namespace
 
-solution::Checkpoint example_checkpoint(int rows) {
-    solution::Checkpoint checkpoint;
+model::Checkpoint example_checkpoint(int rows) {
+    model::Checkpoint checkpoint;
     checkpoint.ranks = 2;
     checkpoint.rows = rows;
     checkpoint.stage = 1;

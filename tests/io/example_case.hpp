@@ -12,24 +12,24 @@
 
 namespace soft::io::test {
 
-[[nodiscard]] model::Case section_case();              ///< two quad9, axisymmetric; uses every optional part
-[[nodiscard]] model::Case solid_case();                ///< two hex27; no cavity, incompressible
-[[nodiscard]] model::Case dynamic_case();              ///< solid_case as a dynamic case
-[[nodiscard]] solution::Step moving_step(int number);  ///< a row of dynamic_case
+[[nodiscard]] model::Case section_case();           ///< two quad9, axisymmetric; uses every optional part
+[[nodiscard]] model::Case solid_case();             ///< two hex27; no cavity, incompressible
+[[nodiscard]] model::Case dynamic_case();           ///< solid_case as a dynamic case
+[[nodiscard]] model::Step moving_step(int number);  ///< a row of dynamic_case
 [[nodiscard]] DesignText example_design();
 [[nodiscard]] Provenance example_provenance(const std::string& tool);
 [[nodiscard]] std::vector<std::byte> section_image();
 
-[[nodiscard]] solution::Step example_step(int number);
+[[nodiscard]] model::Step example_step(int number);
 [[nodiscard]] std::vector<double> example_displacement(int number);  ///< of section_case
 [[nodiscard]] std::vector<double> example_pressure(int number);
-[[nodiscard]] solution::PathEnd example_end();
-[[nodiscard]] solution::Checkpoint example_checkpoint(int rows);  ///< every member has a distinct value
+[[nodiscard]] model::PathEnd example_end();
+[[nodiscard]] model::Checkpoint example_checkpoint(int rows);  ///< every member has a distinct value
 
 void expect_equal(const model::Case& left, const model::Case& right);
-void expect_equal(const solution::Step& left, const solution::Step& right);
-void expect_equal(const solution::PathEnd& left, const solution::PathEnd& right);
-void expect_equal(const solution::Checkpoint& left, const solution::Checkpoint& right);
+void expect_equal(const model::Step& left, const model::Step& right);
+void expect_equal(const model::PathEnd& left, const model::PathEnd& right);
+void expect_equal(const model::Checkpoint& left, const model::Checkpoint& right);
 
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 

@@ -109,14 +109,14 @@ void expect_equal(const model::Stage& left, const model::Stage& right) {
     EXPECT_EQ(left.motions, right.motions);
 }
 
-void expect_equal(const solution::LimitPoint& left, const solution::LimitPoint& right) {
+void expect_equal(const model::LimitPoint& left, const model::LimitPoint& right) {
     EXPECT_EQ(left.step, right.step);
     EXPECT_EQ(left.pressure_Pa, right.pressure_Pa);
     EXPECT_EQ(left.volume_m3, right.volume_m3);
     EXPECT_EQ(left.outputs, right.outputs);
 }
 
-void expect_equal(const solution::StatePoint& left, const solution::StatePoint& right) {
+void expect_equal(const model::StatePoint& left, const model::StatePoint& right) {
     EXPECT_EQ(left.unknowns, right.unknowns);
     EXPECT_EQ(left.tangent_unknowns, right.tangent_unknowns);
     EXPECT_EQ(left.pressures_Pa, right.pressures_Pa);
@@ -191,7 +191,7 @@ void expect_equal(const model::Case& left, const model::Case& right) {
     expect_equal(left.dynamics, right.dynamics);
 }
 
-void expect_equal(const solution::Step& left, const solution::Step& right) {
+void expect_equal(const model::Step& left, const model::Step& right) {
     EXPECT_EQ(left.stage, right.stage);
     EXPECT_EQ(left.pressures_Pa, right.pressures_Pa);
     EXPECT_EQ(left.volumes_m3, right.volumes_m3);
@@ -235,7 +235,7 @@ void expect_equal(const solution::Step& left, const solution::Step& right) {
     EXPECT_EQ(left.motion->damping_work_J, right.motion->damping_work_J);
 }
 
-void expect_equal(const solution::PathEnd& left, const solution::PathEnd& right) {
+void expect_equal(const model::PathEnd& left, const model::PathEnd& right) {
     EXPECT_EQ(left.reason, right.reason);
     EXPECT_EQ(left.detail, right.detail);
     EXPECT_EQ(left.newton_iterations, right.newton_iterations);
@@ -248,7 +248,7 @@ void expect_equal(const solution::PathEnd& left, const solution::PathEnd& right)
     });
 }
 
-void expect_equal(const solution::Checkpoint& left, const solution::Checkpoint& right) {
+void expect_equal(const model::Checkpoint& left, const model::Checkpoint& right) {
     EXPECT_EQ(left.ranks, right.ranks);
     EXPECT_EQ(left.rows, right.rows);
     EXPECT_EQ(left.stage, right.stage);

@@ -54,7 +54,7 @@ void expect_steps(const Result& result, int count) {
 }
 
 TEST(JournalStep, StoresTheErrorBarsOfARow) {
-    solution::Step step = example_step(1);
+    model::Step step = example_step(1);
     step.pressure_error_Pa = 12.5;
     step.output_errors = {1e-5, 2e-6};
     expect_equal(decode_step(encode_step(step, {}, {}), "result.h5").step, step);
@@ -201,7 +201,7 @@ TEST_F(Journal, RejectsARecordThatDoesNotMatchTheCase) {
 
 TEST(Checkpoint, ReadsBackEqualInEveryField) {
     for (const bool first : {false, true}) {
-        solution::Checkpoint checkpoint = example_checkpoint(3);
+        model::Checkpoint checkpoint = example_checkpoint(3);
         if (first) {
             checkpoint.before.reset();
             checkpoint.user_control_failed = false;
@@ -219,7 +219,7 @@ TEST(Checkpoint, IsRejectedIfTruncatedOrNotFinite) {
     const Image whole = encode_checkpoint(example_checkpoint(3));
     for (std::size_t size = 0; size < whole.size(); size += 7)
         EXPECT_THROW(static_cast<void>(decode_checkpoint(std::span{whole}.first(size), "result.h5")), Error) << size;
-    solution::Checkpoint wild = example_checkpoint(3);
+    model::Checkpoint wild = example_checkpoint(3);
     wild.last.unknowns[2] = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(static_cast<void>(decode_checkpoint(encode_checkpoint(wild), "result.h5")), Error);
 }
@@ -330,7 +330,7 @@ TEST_F(Journal, ResumesOnlyInterruptedSolves) {
 }
 
 TEST_F(Journal, RejectsACheckpointThatDoesNotMatchItsSteps) {
-    const auto left_by = [&](const solution::Checkpoint& checkpoint) {
+    const auto left_by = [&](const model::Checkpoint& checkpoint) {
         ResultWriter running = writer();
         append(running, 0);
         append(running, 1);
@@ -339,7 +339,7 @@ TEST_F(Journal, RejectsACheckpointThatDoesNotMatchItsSteps) {
     };
     EXPECT_EQ(refusal_to_resume(left_by(example_checkpoint(2))), "");
     EXPECT_NE(refusal_to_resume(left_by(example_checkpoint(3))), "");
-    solution::Checkpoint other = example_checkpoint(2);
+    model::Checkpoint other = example_checkpoint(2);
     other.stage = -1;
     EXPECT_NE(refusal_to_resume(left_by(other)), "");
 }

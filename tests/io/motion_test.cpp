@@ -24,7 +24,7 @@ Image motion_image(int rows) {
     const Image given = dynamic_image();
     ResultWriter writer{{given, "case.h5", dynamic_case()}, example_provenance("solve"), {}};
     for (int i = 0; i < rows; ++i) writer.append(moving_step(i), displacement(), {});
-    return writer.finish({solution::StopReason::done, "0.75 s", {}, {}, 9, 8});
+    return writer.finish({model::StopReason::done, "0.75 s", {}, {}, 9, 8});
 }
 
 TEST(DynamicCase, ReadsBackEqualInEveryField) {
@@ -50,7 +50,7 @@ TEST(DynamicCase, RowsReadBackFromTheJournal) {
 TEST(DynamicCase, RejectsRowsWithoutTimeAndStaticRowsWithTime) {
     const Image moving = dynamic_image(), resting = section_image();
     ResultWriter writer{{moving, "case.h5", dynamic_case()}, example_provenance("solve"), {}};
-    solution::Step step = moving_step(0);
+    model::Step step = moving_step(0);
     step.motion.reset();
     EXPECT_THROW(writer.append(step, displacement(), {}), Error);
     step = moving_step(0);
@@ -58,7 +58,7 @@ TEST(DynamicCase, RejectsRowsWithoutTimeAndStaticRowsWithTime) {
     EXPECT_THROW(writer.append(step, displacement(), {}), Error);
     ResultWriter other{{resting, "case.h5", section_case()}, example_provenance("solve"), {}};
     step = example_step(0);
-    step.motion = solution::Step::Motion{};
+    step.motion = model::Step::Motion{};
     EXPECT_THROW(other.append(step, example_displacement(0), example_pressure(0)), Error);
 }
 

@@ -50,8 +50,8 @@ TEST(ResultFile, ReadsBackEqualInEveryField) {
 }
 
 /// A step as `solve --tolerance` writes it.
-solution::Step step_with_errors(int number) {
-    solution::Step step = example_step(number);
+model::Step step_with_errors(int number) {
+    model::Step step = example_step(number);
     step.pressure_error_Pa = 12.5 * number;
     step.output_errors = {1e-5 * number, 2e-6};
     return step;
@@ -99,10 +99,10 @@ TEST(ResultFile, IsCompleteAfterEachPublishAndStaysLocked) {
 
 TEST(ResultFile, RejectsInvalidErrorBars) {
     ResultWriter writer{{section_image(), "case.h5", section_case()}, example_provenance("solve"), {}};
-    const auto refuses = [&](const solution::Step& step) {
+    const auto refuses = [&](const model::Step& step) {
         EXPECT_THROW(writer.append(step, example_displacement(0), example_pressure(0)), Error);
     };
-    solution::Step step = step_with_errors(1);
+    model::Step step = step_with_errors(1);
     step.pressure_error_Pa = -1;
     refuses(step);
     step = step_with_errors(1);
@@ -117,7 +117,7 @@ TEST(ResultFile, RejectsInvalidErrorBars) {
 TEST(ResultFile, RejectsMissingAndInvalidFrequencies) {
     ResultWriter writer{{section_image(), "case.h5", section_case()}, example_provenance("solve"), {}};
     for (const std::vector<double>& frequencies : {std::vector<double>{}, {1.0}, {1.0, nan}}) {
-        solution::Step step = example_step(0);
+        model::Step step = example_step(0);
         step.frequencies_Hz = frequencies;
         EXPECT_THROW(writer.append(step, example_displacement(0), example_pressure(0)), Error);
     }
@@ -143,8 +143,8 @@ model::Case changed_case() {
     return model;
 }
 
-solution::Step changed_step() {
-    solution::Step step = example_step(1);
+model::Step changed_step() {
+    model::Step step = example_step(1);
     step.pressures_Pa = step.tangent_pressures = {1, 2, 3};
     return step;
 }
@@ -177,7 +177,7 @@ TEST(ResultFile, RejectsACaseThatTheReaderWouldRejectAsInternalError) {
 
 TEST(ResultFile, WithoutVolumesAndPressuresReadsBack) {
     ResultWriter writer{{section_image(), "case.h5", section_case()}, example_provenance("solve"), {}};
-    solution::Step step = example_step(1);
+    model::Step step = example_step(1);
     step.volume_m3.reset();
     step.tangent_volume = 0;
     writer.append(step, example_displacement(1), {});
@@ -280,7 +280,7 @@ TEST(ResultFile, RejectsPartsOfASolutionAsInputOfSolve) {
 }
 
 TEST(ResultFile, RejectsStepsThatDoNotMatchTheCase) {
-    const auto refused = [](const solution::Step& step, const std::vector<double>& displacement,
+    const auto refused = [](const model::Step& step, const std::vector<double>& displacement,
                             const std::vector<double>& pressure) {
         ResultWriter writer{{section_image(), "case.h5", section_case()}, example_provenance("solve"), {}};
         writer.append(example_step(0), example_displacement(0), example_pressure(0));
@@ -294,7 +294,7 @@ TEST(ResultFile, RejectsStepsThatDoNotMatchTheCase) {
     const auto displacement = example_displacement(1);
     const auto pressure = example_pressure(1);
     EXPECT_FALSE(refused(example_step(1), displacement, pressure));
-    solution::Step step = example_step(1);
+    model::Step step = example_step(1);
     step.outputs.pop_back();
     EXPECT_TRUE(refused(step, displacement, pressure));
     step = example_step(1);
@@ -332,7 +332,7 @@ TEST(ResultFile, RejectsAModeThatDoesNotMatchTheMesh) {
     for (const bool finite : {false, true}) {
         ResultWriter writer{{section_image(), "case.h5", section_case()}, example_provenance("solve"), {}};
         append_steps(writer, 2);
-        solution::PathEnd end = example_end();
+        model::PathEnd end = example_end();
         if (finite)
             end.bifurcations[1].mode.pop_back();
         else

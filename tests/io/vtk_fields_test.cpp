@@ -13,7 +13,7 @@ namespace soft::io {
 namespace {
 
 using namespace test;
-using solution::NamedArray;
+using model::NamedArray;
 using Image = std::vector<std::byte>;
 
 Image result_image(int steps) {

@@ -18,7 +18,7 @@ const Curve& sphere() {
     return curve;
 }
 
-Band read(const std::string& text) { return read_band(table::read_table(text, "band.csv"), sphere()); }
+Band read(const std::string& text) { return read_band(core::read_table(text, "band.csv"), sphere()); }
 
 std::string refusal(const std::string& text) {
     try {
@@ -33,7 +33,7 @@ std::string refusal(const std::string& text) {
 /// The sphere with the modulus `mu` Pa: all pressures are proportional to it.
 Curve sphere_of(double mu) {
     auto steps = test::sphere_path(41, 3);
-    for (solution::Step& step : steps) step.pressure_Pa *= mu, step.tangent_pressure *= mu;
+    for (model::Step& step : steps) step.pressure_Pa *= mu, step.tangent_pressure *= mu;
     return make_curve(test::sample_case({"growth"}), steps);
 }
 
@@ -103,7 +103,7 @@ TEST(BandSum, CountsSamplesThatDoNotReachTheValue) {
         text.substr(0, text.find('\n')),
         "step,pressure_kPa,growth_mm,volume_mL,stretch_p99,max_stretch,min_J,stable,pressure_band_kPa,growth_band_mm,"
         "volume_band_mL,pressure_sampled_band_kPa,growth_sampled_band_mm,volume_sampled_band_mL,samples");
-    const Band read = read_band(table::read_table(text, "band.csv"), fitted);
+    const Band read = read_band(core::read_table(text, "band.csv"), fitted);
     for (std::size_t w = 0; w < band.widths.size(); ++w)
         for (std::size_t row = 0; row < rows; ++row) {
             EXPECT_EQ(std::isnan(read.widths[w].linear[row]), std::isnan(band.widths[w].linear[row]));

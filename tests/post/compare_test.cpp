@@ -18,7 +18,7 @@ Curve sphere_curve() {
 }
 
 Measured read(const std::string& text, std::string_view columns = "") {
-    return read_measured(table::read_table(text, "m.csv"), sphere_curve(), parse_column_choices(columns));
+    return read_measured(core::read_table(text, "m.csv"), sphere_curve(), parse_column_choices(columns));
 }
 
 std::string refusal(const std::string& text, std::string_view columns = "") {

@@ -36,17 +36,17 @@ TEST(Csv, EveryNumberReadsBackToTheSameDouble) {
 }
 
 TEST(Csv, WritesCountsAndFlagsAsIntegersAndUnixLineEnds) {
-    solution::Step step;
+    model::Step step;
     step.pressure_Pa = 100;
     step.stable = false;
-    const std::vector<solution::Step> steps{step};
+    const std::vector<model::Step> steps{step};
     EXPECT_EQ(csv_text(make_curve(test::sample_case(), steps)),
               "step,pressure_kPa,stretch_p99,max_stretch,min_J,stable\n0,0.1,1,1,1,0\n");
 }
 
 TEST(Csv, PrefixesEveryLineOfACommentBeforeTheHeader) {
     const std::vector<std::string> comments{"solve 0.1.0", "design:\nfamily: tube\033[31m\xff"};
-    const std::string text = csv_text(make_curve(test::sample_case(), std::vector<solution::Step>(1)), comments);
+    const std::string text = csv_text(make_curve(test::sample_case(), std::vector<model::Step>(1)), comments);
     EXPECT_TRUE(text.starts_with("# solve 0.1.0\n# design:\n# family: tube?[31m?\nstep,")) << text;
 }
 

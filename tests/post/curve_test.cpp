@@ -6,8 +6,8 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "core/table.hpp"
 #include "path_samples.hpp"
-#include "table/table.hpp"
 
 namespace soft::post {
 namespace {
@@ -21,8 +21,8 @@ std::vector<std::string> names(const Curve& curve) {
     return out;
 }
 
-solution::Step step_with(double pressure_Pa, std::vector<double> outputs, std::optional<double> volume_m3) {
-    solution::Step step;
+model::Step step_with(double pressure_Pa, std::vector<double> outputs, std::optional<double> volume_m3) {
+    model::Step step;
     step.pressure_Pa = pressure_Pa;
     step.outputs = std::move(outputs);
     step.volume_m3 = volume_m3;
@@ -30,21 +30,21 @@ solution::Step step_with(double pressure_Pa, std::vector<double> outputs, std::o
 }
 
 TEST(Curve, HasTheDocumentedColumnsInOrder) {
-    const std::vector<solution::Step> steps{step_with(0, {0.0}, 1e-5)};
+    const std::vector<model::Step> steps{step_with(0, {0.0}, 1e-5)};
     EXPECT_EQ(names(make_curve(sample_case({"elongation"}), steps)),
               (std::vector<std::string>{"step", "pressure_kPa", "elongation_mm", "volume_mL", "stretch_p99",
                                         "max_stretch", "min_J", "stable"}));
 }
 
 TEST(Curve, OmitsQuantitiesThatTheCaseDoesNotHave) {
-    const std::vector<solution::Step> steps{step_with(0, {}, std::nullopt)};
+    const std::vector<model::Step> steps{step_with(0, {}, std::nullopt)};
     EXPECT_EQ(names(make_curve(sample_case(), steps)),
               (std::vector<std::string>{"step", "pressure_kPa", "stretch_p99", "max_stretch", "min_J", "stable"}));
 }
 
 // Beyond a pressure maximum under volume control the state is unstable at prescribed pressure, but stable at prescribed volume.
 TEST(Curve, HasTheStabilityUnderControlIfEveryRowHasIt) {
-    solution::Step step = step_with(0, {}, std::nullopt);
+    model::Step step = step_with(0, {}, std::nullopt);
     step.stable = false;
     step.stable_under_control = true;
     std::vector steps{step, step};
@@ -57,7 +57,7 @@ TEST(Curve, HasTheStabilityUnderControlIfEveryRowHasIt) {
 }
 
 TEST(Curve, NamesTheLoadColumnByTheLeadingLoad) {
-    const std::vector<solution::Step> steps{step_with(500, {}, std::nullopt)};
+    const std::vector<model::Step> steps{step_with(500, {}, std::nullopt)};
     model::Case model = sample_case({}, Loaded::nothing);
     const Curve factor = make_curve(model, steps);
     EXPECT_EQ(factor.columns[1].name, "load_factor");
@@ -71,7 +71,7 @@ TEST(Curve, NamesTheLoadColumnByTheLeadingLoad) {
 TEST(Curve, HasErrorColumnsIfTheRowsHaveErrors) {
     model::Case model = sample_case({"elongation", "bend"});
     model.outputs[1].measure = model::Measure::bend;
-    solution::Step step = step_with(3e4, {0.01, 1}, std::nullopt);
+    model::Step step = step_with(3e4, {0.01, 1}, std::nullopt);
     step.pressure_error_Pa = 30;
     step.output_errors = {2e-5, std::numbers::pi / 1800};
     std::vector steps{step, step};
@@ -88,7 +88,7 @@ TEST(Curve, HasErrorColumnsIfTheRowsHaveErrors) {
 }
 
 TEST(Curve, HasAColumnPerNaturalFrequency) {
-    solution::Step step = step_with(3e4, {}, std::nullopt);
+    model::Step step = step_with(3e4, {}, std::nullopt);
     step.frequencies_Hz = {-2, 30};
     std::vector steps{step, step};
     steps[1].frequencies_Hz = {4, 60};
@@ -97,9 +97,9 @@ TEST(Curve, HasAColumnPerNaturalFrequency) {
                                                       "stretch_p99", "max_stretch", "min_J", "stable"}));
     EXPECT_EQ(curve.find("frequency_1")->values, (std::vector{-2.0, 4.0}));
     EXPECT_EQ(curve.find("frequency_2")->values, (std::vector{30.0, 60.0}));
-    const table::Heading heading = table::parse_heading("frequency_2_Hz");  // the table can be read back
+    const core::Heading heading = core::parse_heading("frequency_2_Hz");  // the table can be read back
     EXPECT_EQ(heading.quantity, "frequency_2");
-    EXPECT_EQ(table::dimension_of(heading.unit), curve.find("frequency_2")->dimension);
+    EXPECT_EQ(core::dimension_of(heading.unit), curve.find("frequency_2")->dimension);
     steps[1].frequencies_Hz.clear();
     EXPECT_THROW(static_cast<void>(make_curve(sample_case(), steps)), Error);
 }
@@ -120,15 +120,15 @@ TEST(Curve, GivesEveryMeasureInItsUnit) {
     EXPECT_EQ(curve.find("d")->name, "d_mm");
     // The headings can be parsed when the table is read back.
     for (const Column& column : curve.columns) {
-        const table::Heading heading = table::parse_heading(column.name);
+        const core::Heading heading = core::parse_heading(column.name);
         if (column.source != Source::output) continue;
         EXPECT_EQ(heading.quantity, column.quantity);
-        EXPECT_EQ(table::dimension_of(heading.unit), column.dimension) << column.name;
+        EXPECT_EQ(core::dimension_of(heading.unit), column.dimension) << column.name;
     }
 }
 
 TEST(Curve, ShowsEnergiesAndPositionsOnDemand) {
-    solution::Step step = step_with(0, {}, std::nullopt);
+    model::Step step = step_with(0, {}, std::nullopt);
     step.energies = {2e-3, 2.1e-3, {}};
     step.extremes = {{0.01, 0.02, 0.03}, 5e3};
     Curve curve = make_curve(sample_case(), std::vector{step});
@@ -193,7 +193,7 @@ TEST(Curve, GivesAnglesInDegrees) {
     model::Case model = sample_case({"bend", "turn", "reach"});
     model.outputs[0].measure = model::Measure::bend;
     model.outputs[1].measure = model::Measure::twist;
-    const std::vector<solution::Step> steps{step_with(0, {std::numbers::pi / 6, -std::numbers::pi, 0.1}, std::nullopt)};
+    const std::vector<model::Step> steps{step_with(0, {std::numbers::pi / 6, -std::numbers::pi, 0.1}, std::nullopt)};
     const Curve curve = make_curve(model, steps);
     EXPECT_EQ(curve.columns[2].name, "bend_deg");
     EXPECT_NEAR(curve.columns[2].values[0], 30, 1e-13);
@@ -207,7 +207,7 @@ TEST(Curve, HasAColumnPerPressureAndVolumeOfACaseWithSeveral) {
     model.cavities = {{"left", "a", {}, {}}, {"right", "b", {}, {}}};
     model.loads = {{"both", {"left", "right"}, true, {}}, {"outside", {"outer"}, true, {}}};
     model.path.stages.resize(2);
-    solution::Step step = step_with(3e4, {0.01}, 3e-6);
+    model::Step step = step_with(3e4, {0.01}, 3e-6);
     step.stage = 1;
     step.pressures_Pa = {3e4, -1e3};
     step.volumes_m3 = {1e-6, 2e-6};
@@ -227,7 +227,7 @@ TEST(Curve, HasAColumnPerPressureAndVolumeOfACaseWithSeveral) {
 }
 
 TEST(Curve, KeepsRoundValuesRoundInTheUnitOfTheColumn) {
-    const std::vector<solution::Step> steps{step_with(30000, {0.13}, 1.5e-5)};
+    const std::vector<model::Step> steps{step_with(30000, {0.13}, 1.5e-5)};
     const Curve curve = make_curve(sample_case({"elongation"}), steps);
     EXPECT_EQ(curve.find("pressure")->values[0], 30.0);
     EXPECT_EQ(curve.find("elongation")->values[0], 130.0);
@@ -235,12 +235,12 @@ TEST(Curve, KeepsRoundValuesRoundInTheUnitOfTheColumn) {
 }
 
 TEST(Curve, RejectsAStepWithoutItsVolume) {
-    const std::vector<solution::Step> steps{step_with(0, {}, 1e-5), step_with(1, {}, std::nullopt)};
+    const std::vector<model::Step> steps{step_with(0, {}, 1e-5), step_with(1, {}, std::nullopt)};
     EXPECT_THROW((void)make_curve(sample_case(), steps), Error);
 }
 
 TEST(Curve, RejectsAStepWithTooFewOutputs) {
-    const std::vector<solution::Step> steps{step_with(0, {0.0}, std::nullopt)};
+    const std::vector<model::Step> steps{step_with(0, {0.0}, std::nullopt)};
     EXPECT_THROW((void)make_curve(sample_case({"elongation", "twist"}), steps), Error);
 }
 
@@ -252,7 +252,7 @@ TEST(Curve, RejectsAStepWithoutThePressuresOfSeveralLoads) {
 
 TEST(ValueAt, ReturnsTheValueInTheUnitOfTheColumn) {
     const Curve curve = make_curve(sample_case({"elongation"}), std::vector{step_with(0, {0.0}, 1e-5)});
-    const solution::LimitPoint point{.step = 0, .pressure_Pa = 44e3, .volume_m3 = 2e-5, .outputs = {0.0135}};
+    const model::LimitPoint point{.step = 0, .pressure_Pa = 44e3, .volume_m3 = 2e-5, .outputs = {0.0135}};
     EXPECT_EQ(value_at(*curve.find("pressure"), point), 44.0);
     EXPECT_EQ(value_at(*curve.find("elongation"), point), 13.5);
     EXPECT_EQ(value_at(*curve.find("volume"), point), 20.0);

@@ -22,9 +22,9 @@ Curve stretched_and_released(const std::vector<double>& up, const std::vector<do
                              Power power = Power::unknown) {
     model::Case model = test::sample_case({"elongation"}, test::Loaded::nothing);
     model.path.stages.resize(2);
-    std::vector<solution::Step> steps;
+    std::vector<model::Step> steps;
     const auto add = [&](int stage, double stretch, double direction) {
-        solution::Step step;
+        model::Step step;
         step.stage = stage;
         step.outputs = {stretch - 1};
         step.tangent_outputs = {direction};
@@ -90,9 +90,9 @@ TEST(DependentColumnsAtAStageChange, InterpolateTheEnergyFromItsPower) {
 TEST(DependentColumnsAtAStageChange, InterpolateTheEnergyOfAStraightPath) {
     model::Case model = test::sample_case({"elongation"}, test::Loaded::nothing);
     for (const double noise : {0.0, 1e-16, 3e-16, -2e-16, 1e-13}) {
-        std::vector<solution::Step> steps;
+        std::vector<model::Step> steps;
         for (const double stretch : {1.25, 1.5}) {
-            solution::Step step;
+            model::Step step;
             step.outputs = {0.1 * (stretch - 1)};
             step.pressure_Pa = step.load_factor = (stretch - 1) / 0.5;
             step.tangent_outputs = {0.05 * (stretch > 1.3 ? 1 + noise : 1)};

@@ -23,12 +23,12 @@ std::string exact_table(int rows, double last_stretch) {
 }
 
 Verdict verdict_on(const std::string& golden, const Tolerance& tolerance = {}, int rows = 40, double last = 3) {
-    return check_golden(make_curve(test::growth, test::sphere_path(rows, last)),
-                        table::read_table(golden, "golden.csv"), tolerance);
+    return check_golden(make_curve(test::growth, test::sphere_path(rows, last)), core::read_table(golden, "golden.csv"),
+                        tolerance);
 }
 
 std::string failure(const std::string& golden, const Tolerance& tolerance = {}, int rows = 40, double last = 3) {
-    return failure_text(verdict_on(golden, tolerance, rows, last), table::read_table(golden, "golden.csv"));
+    return failure_text(verdict_on(golden, tolerance, rows, last), core::read_table(golden, "golden.csv"));
 }
 
 std::string replaced(std::string text, const std::string& old, const std::string& by) {
@@ -57,7 +57,7 @@ TEST(Golden, ReportsTheCoveredFractionOfThePath) {
 
 TEST(Golden, SameRowsAgreeToRoundingInEveryColumn) {
     const Curve curve = make_curve(test::growth, test::sphere_path(20, 3));
-    const table::Table golden = table::read_table(csv_text(curve), "golden.csv");
+    const core::Table golden = core::read_table(csv_text(curve), "golden.csv");
     const Verdict verdict = check_golden(curve, golden, {1e-12, {}});
     EXPECT_TRUE(verdict.agrees()) << failure_text(verdict, golden);
     EXPECT_EQ(verdict.columns.size(), curve.columns.size() - 1) << "all columns except step";
@@ -88,7 +88,7 @@ TEST(Golden, ReportsAColumnMissingInTheResult) {
     const std::string golden = "step,pressure_kPa,growth_mm,bend_deg\n0,0,0,0\n";
     const Verdict verdict = verdict_on(golden);
     EXPECT_FALSE(verdict.agrees());
-    EXPECT_EQ(failure_text(verdict, table::read_table(golden, "golden.csv")),
+    EXPECT_EQ(failure_text(verdict, core::read_table(golden, "golden.csv")),
               "golden.csv: the result has no column 'bend_deg'");
 }
 
@@ -102,8 +102,8 @@ TEST(Golden, ComparesStabilityWithTheRowsOnBothSides) {
 
 TEST(Golden, RejectsATableThatChecksNothing) {
     const Curve curve = make_curve(test::growth, test::sphere_path(20, 3));
-    EXPECT_THROW((void)check_golden(curve, table::read_table("growth_mm\n0\n100\n", "g.csv"), {}), Error);
-    EXPECT_THROW((void)check_golden(curve, table::read_table("step,growth_mm\n0,0\n1,100\n", "g.csv"), {}), Error);
+    EXPECT_THROW((void)check_golden(curve, core::read_table("growth_mm\n0\n100\n", "g.csv"), {}), Error);
+    EXPECT_THROW((void)check_golden(curve, core::read_table("step,growth_mm\n0,0\n1,100\n", "g.csv"), {}), Error);
     EXPECT_THROW((void)parse_allowance("-5", curve), Error);
     EXPECT_THROW((void)parse_allowance("pressure=-5Pa", curve), Error);
 }
@@ -119,7 +119,7 @@ TEST(Golden, FollowsALoadingAndUnloadingPathInItsOrder) {
         steps.back().tangent_pressure = steps.back().tangent_volume = 0;
     }
     const Curve curve = make_curve(test::growth, steps);
-    table::Table golden = table::read_table(csv_text(curve), "golden.csv");
+    core::Table golden = core::read_table(csv_text(curve), "golden.csv");
     EXPECT_TRUE(check_golden(curve, golden, {1e-9, {}}).agrees());
     golden.rows[12][1] = golden.rows[4][1];  // a row of the unloading path with the pressure of the loading path
     const Verdict verdict = check_golden(curve, golden, {1e-3, {}});
@@ -140,7 +140,7 @@ TEST(Golden, FindsAStageInWhichTheStateDoesNotChange) {
     model::Case model = test::growth;
     model.path.stages.resize(3);
     const Curve curve = make_curve(model, steps);
-    table::Table golden = table::read_table(csv_text(curve), "golden.csv");
+    core::Table golden = core::read_table(csv_text(curve), "golden.csv");
     EXPECT_TRUE(check_golden(curve, golden, {1e-12, {}}).agrees())
         << failure_text(check_golden(curve, golden, {1e-12, {}}), golden);
     golden.rows[3][1] = "2";  // wrong "stage" in the middle of the first stage

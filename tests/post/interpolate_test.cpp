@@ -18,9 +18,9 @@ namespace {
 
 /// A curve in the plane (pressure, growth), both with range 1, so that the metric is Euclidean.
 Curve planar(const std::vector<std::array<double, 4>>& points_and_slopes) {
-    std::vector<solution::Step> steps;
+    std::vector<model::Step> steps;
     for (const auto& [x, y, dx, dy] : points_and_slopes) {
-        solution::Step step;
+        model::Step step;
         step.outputs = {x * 1e-3};
         step.pressure_Pa = y * 1e3;
         step.tangent_outputs = {dx * 1e-3};
@@ -169,10 +169,10 @@ TEST(Path, FindsTheLimitPressureBetweenTheRows) {
 
 /// Loading along p = 2 x - x^2 to x = 0.8 in stage 0, then unloading along p = 1.5 x^2 in stage 1, as with another pressure supply. Each
 /// stage ends with a row, and each row has the direction of its own stage.
-std::vector<solution::Step> two_stages(int rows_per_stage) {
-    std::vector<solution::Step> steps;
+std::vector<model::Step> two_stages(int rows_per_stage) {
+    std::vector<model::Step> steps;
     const auto add = [&](int stage, double x, double p, double dx, double dp) {
-        solution::Step step;
+        model::Step step;
         step.stage = stage;
         step.outputs = {x};
         step.pressure_Pa = p;

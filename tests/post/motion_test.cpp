@@ -19,12 +19,12 @@ constexpr double amplitude_m = 0.01;
 model::Case oscillator() { return test::sample_case({"lift"}, test::Loaded::face); }
 
 /// Rows every `step_s`, with a pressure that grows by 1 Pa per second.
-std::vector<solution::Step> oscillation(double duration_s, double step_s) {
-    std::vector<solution::Step> steps;
+std::vector<model::Step> oscillation(double duration_s, double step_s) {
+    std::vector<model::Step> steps;
     for (int i = 0; i * step_s <= duration_s * (1 + 1e-12); ++i) {
         const double t = i * step_s, x = amplitude_m * std::sin(omega_1_s * t),
                      v = amplitude_m * omega_1_s * std::cos(omega_1_s * t);
-        solution::Step step;
+        model::Step step;
         step.load_factor = t / duration_s;
         step.pressure_Pa = t;
         step.tangent_pressure = 1;

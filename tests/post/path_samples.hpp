@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "model/case.hpp"
+#include "model/path.hpp"
 #include "post/curve.hpp"
-#include "solution/path.hpp"
 
 namespace soft::post::test {
 
@@ -46,12 +46,12 @@ inline const model::Case growth = sample_case({"growth"});
 enum class Slopes { recorded, missing };
 
 /// Rows evenly spaced in the inner stretch; output 0 is the growth of the inner radius [m].
-inline std::vector<solution::Step> sphere_path(int rows, double last_stretch, Slopes slopes = Slopes::recorded) {
+inline std::vector<model::Step> sphere_path(int rows, double last_stretch, Slopes slopes = Slopes::recorded) {
     constexpr double limit_stretch = 1.8281;
-    std::vector<solution::Step> steps;
+    std::vector<model::Step> steps;
     for (int row = 0; row < rows; ++row) {
         const double stretch = 1 + (last_stretch - 1) * row / (rows - 1);
-        solution::Step step;
+        model::Step step;
         step.pressure_Pa = sphere_pressure_Pa(stretch);
         step.volume_m3 = ball_m3(stretch);
         step.outputs = {stretch - 1};

@@ -12,12 +12,12 @@
 namespace soft::post {
 namespace {
 
-solution::PathEnd with_limit(const solution::LimitPoint& point) {
-    solution::PathEnd end;
+model::PathEnd with_limit(const model::LimitPoint& point) {
+    model::PathEnd end;
     end.limit_points = {point};
     return end;
 }
-const solution::PathEnd limit =
+const model::PathEnd limit =
     with_limit({.step = 10, .pressure_Pa = 0.816424 * 55e3, .volume_m3 = test::ball_m3(1.8281), .outputs = {0.8281}});
 
 /// The sphere with mu = 55 kPa: pressures typical of an actuator.
@@ -27,7 +27,7 @@ Curve sphere_curve(int rows, double last_stretch) {
     return make_curve(test::growth, steps);
 }
 
-std::string script_of(const Curve& curve, const solution::PathEnd& end = {}, const PlotRequest& request = {},
+std::string script_of(const Curve& curve, const model::PathEnd& end = {}, const PlotRequest& request = {},
                       PictureFormat format = PictureFormat::svg) {
     const std::vector<PlotSeries> series = {{"", curve, end}};
     return plot_script(series, nullptr, request, format);
@@ -69,7 +69,7 @@ TEST(PlotScript, DashesTheUnstablePartAndMarksTheLimitPoint) {
 }
 
 TEST(PlotScript, MarksABifurcationWithItsPressure) {
-    solution::PathEnd end;
+    model::PathEnd end;
     end.bifurcations.resize(1);
     end.bifurcations[0].at = {.step = 3, .pressure_Pa = 26e3, .volume_m3 = 2.0, .outputs = {0.3}};
     const std::string script = script_of(sphere_curve(25, 3), end);

@@ -19,14 +19,14 @@ using model::Prescription;
 struct Estimated {
     Accuracy accuracy;
     std::vector<RowState> given;  ///< rows of the given mesh
-    solution::PathEnd end;
+    model::PathEnd end;
 };
 
 Estimated estimate_errors(const model::Case& input, const AccuracyTarget& target,
                           const RefinementListeners& listeners = {}) {
-    assembly::System system(input, PETSC_COMM_WORLD);
+    fem::System system(input, PETSC_COMM_WORLD);
     Estimated estimated;
-    estimated.end = follow_path(system, {.step = [](const solution::Step&, Vec) {},
+    estimated.end = follow_path(system, {.step = [](const model::Step&, Vec) {},
                                          .row = [&](const RowState& row) { estimated.given.push_back(row); }});
     estimated.accuracy = refine_path(system, estimated.given, estimated.end, target, listeners);
     return estimated;
@@ -47,7 +47,7 @@ AccuracyTarget tolerance(double value) { return {.tolerance = value}; }
 
 /// Limits that allow one finer mesh but not two: the given mesh is the reported one.
 AccuracyTarget two_meshes(const model::Case& input, double value) {
-    return {.tolerance = value, .max_unknowns_2d = 4 * assembly::System(input, PETSC_COMM_WORLD).dofs().total};
+    return {.tolerance = value, .max_unknowns_2d = 4 * fem::System(input, PETSC_COMM_WORLD).dofs().total};
 }
 
 /// Largest |p - exact p| of the rows.
@@ -109,7 +109,7 @@ TEST(Accuracy, StopsAtTheFirstMeshWhoseBarsMeetTheTolerance) {
     for (const double wanted : {0.5, 0.05, 1e-3, 1e-4}) {
         std::vector<double> reached;
         const auto [accuracy, given, end] =
-            estimate_errors(input, tolerance(wanted), {.curve = [&](const Accuracy& so_far, const solution::PathEnd&) {
+            estimate_errors(input, tolerance(wanted), {.curve = [&](const Accuracy& so_far, const model::PathEnd&) {
                                 if (so_far.has_bars) reached.push_back(so_far.reached);
                             }});
         ASSERT_FALSE(reached.empty());
@@ -143,7 +143,7 @@ TEST(Accuracy, KeepsTheLastCurveWhenItIsInterrupted) {
             input, tolerance(1e-9),
             {.next = [&](const NextMesh& next) { level = next.level; },
              .curve =
-                 [&](const Accuracy& so_far, const solution::PathEnd& so_far_end) {
+                 [&](const Accuracy& so_far, const model::PathEnd& so_far_end) {
                      EXPECT_EQ(so_far_end.limit_points.size(), 1u);
                      bars.push_back(static_cast<int>(std::ranges::count_if(
                          so_far.rows, [](const RowState& row) { return row.step.pressure_error_Pa.has_value(); })));
@@ -171,7 +171,7 @@ TEST(Accuracy, WarnsAboutTwoMeshesAndAboutOneCellThroughTheWall) {
 // Halving the cells gives less than four times the unknowns: the limit applies to the actual number, not to the estimate.
 TEST(Accuracy, SolvesAMeshThatJustFitsTheLimit) {
     const auto input = inflated_sphere(1, 2), halved = refined(input);
-    const auto unknowns = [](const model::Case& of) { return assembly::System(of, PETSC_COMM_WORLD).dofs().total; };
+    const auto unknowns = [](const model::Case& of) { return fem::System(of, PETSC_COMM_WORLD).dofs().total; };
     const std::int64_t bound = 4 * unknowns(halved);
     ASSERT_LT(bound, 16 * unknowns(input));
     const auto estimated = estimate_errors(input, {.tolerance = 1e-12, .max_unknowns_2d = bound});
@@ -203,7 +203,7 @@ TEST(Accuracy, StagesEndAtTheirLoadsAndClosedGasKeepsItsMass) {
     const auto [accuracy, given, end] = estimate_errors(input, tolerance(1e-3));
     ASSERT_GE(accuracy.level, 1) << accuracy.end_reason;
     const auto& rows = accuracy.rows;
-    const auto mass = [&](const solution::Step& step) { return (step.pressure_Pa / 101325.0 + 1) * *step.volume_m3; };
+    const auto mass = [&](const model::Step& step) { return (step.pressure_Pa / 101325.0 + 1) * *step.volume_m3; };
     for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
         if (rows[i].step.stage != 0 || rows[i + 1].step.stage != 1) continue;
         EXPECT_NEAR(mass(rows[i].step) / (*rows[0].step.volume_m3 + 2e-6 / 1.204), 1, 1e-8);
@@ -235,8 +235,8 @@ TEST(Accuracy, RejectsFirstOrderCells) {
     input.mesh.cell_types.clear();
     input.mesh.cell_regions.clear();
     mesh::add_cell(input.mesh, mesh::CellType::quad4, second.cell_nodes(0).first(4), 0);
-    assembly::System system(input, PETSC_COMM_WORLD);
-    solution::PathEnd end;
+    fem::System system(input, PETSC_COMM_WORLD);
+    model::PathEnd end;
     EXPECT_THROW(static_cast<void>(refine_path(system, {RowState{}}, end, {})), Error);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 /// A case with the loads of its first stage and a Newton solver with these loads; and whole paths without files.
-#include "assembly/system.hpp"
+#include "fem/system.hpp"
 #include "solver/newton.hpp"
 #include "solver/path.hpp"
 #include "solver/row_state.hpp"
@@ -18,21 +18,21 @@ struct Bench {
     [[nodiscard]] State rest() const {
         return {system.make_vector(), 0.0, std::vector(loads.free_supplies().size(), 0.0)};
     }
-    assembly::System system;
+    fem::System system;
     StageLoads loads;
     Newton newton;
 };
 
 struct Run {
-    std::vector<solution::Step> steps;
-    solution::PathEnd end;
+    std::vector<model::Step> steps;
+    model::PathEnd end;
     std::vector<std::string> log;
 };
 
 inline Run run(const model::Case& input, const ContactCheck& contact = {}) {
-    assembly::System system(input, PETSC_COMM_WORLD);
+    fem::System system(input, PETSC_COMM_WORLD);
     Run result;
-    result.end = follow_path(system, {.step = [&](const solution::Step& step, Vec) { result.steps.push_back(step); },
+    result.end = follow_path(system, {.step = [&](const model::Step& step, Vec) { result.steps.push_back(step); },
                                       .log = [&](const std::string& line) { result.log.push_back(line); },
                                       .contact = contact});
     return result;

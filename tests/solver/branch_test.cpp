@@ -12,7 +12,7 @@
 namespace soft::solver {
 namespace {
 
-using solution::StopReason;
+using model::StopReason;
 
 constexpr double strut_length = 0.1, strut_height = 0.01;
 
@@ -129,7 +129,7 @@ TEST(Bifurcation, IsLocatedByTheSignOfTheDeterminantWithAnLuFactor) {
 TEST(Contact, EndsThePathJustBeforeWallsTouch) {
     auto input = sphere_case(2, 4);
     input.path.stages = {full_load(input, {-3 * sample_mu_Pa})};
-    assembly::System measuring(input, PETSC_COMM_WORLD);
+    fem::System measuring(input, PETSC_COMM_WORLD);
     const double undeformed = measuring.load_volume(0, measuring.make_vector(), nullptr);
     StopReason seen = StopReason::self_contact;
     const auto touches = [&](Vec x) -> std::optional<ContactEvent> {

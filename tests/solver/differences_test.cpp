@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../assembly/sample_cases.hpp"
+#include "../fem/sample_cases.hpp"
 #include "bench.hpp"
 
 namespace soft::solver {
@@ -28,7 +28,7 @@ struct Deformed {
     State state;
     linalg::Vector R;
     linalg::Matrix K;
-    assembly::LoadLevels levels;
+    fem::LoadLevels levels;
 };
 
 class Differences : public ::testing::TestWithParam<int> {

@@ -55,7 +55,7 @@ TEST(Kink, ThePathStartsInTheDirectionOfTheTautFibres) {
         input.tractions = {{"end", {0.05 * sample_mu_Pa, 0, 0}}};
         input.path.stages = {full_load(input, {})};
         const auto [steps, end, log] = run(input);
-        ASSERT_EQ(end.reason, solution::StopReason::done) << end.detail;
+        ASSERT_EQ(end.reason, model::StopReason::done) << end.detail;
         const double slope = steps.front().tangent_outputs.at(0) / steps.front().tangent_pressure;
         const double compliance = edge_m / ((along ? 3 + 4 * stiffness : 3.0) * sample_mu_Pa);
         EXPECT_NEAR(slope / compliance, 1.0, 1e-4) << along;
@@ -75,7 +75,7 @@ TEST(Kink, APathContinuesPastAKinkAtWhichTheLoadReverses) {
         auto input = fiber_sphere(1, 2, 10, 1.5, -2);
         input.solver.step_accuracy *= accuracy;
         const auto [steps, end, log] = run(input);
-        EXPECT_EQ(end.reason, solution::StopReason::done) << end.detail;
+        EXPECT_EQ(end.reason, model::StopReason::done) << end.detail;
         EXPECT_EQ(std::ranges::count_if(log, [](const auto& line) { return line.find("kink") != line.npos; }), 1);
         const auto top = std::ranges::adjacent_find(
             steps, [](const auto& a, const auto& b) { return b.load_factor < a.load_factor; });

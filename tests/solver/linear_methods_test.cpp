@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "../assembly/sample_cases.hpp"
-#include "assembly/near_nullspace.hpp"
+#include "../fem/sample_cases.hpp"
 #include "bench.hpp"
+#include "fem/near_nullspace.hpp"
 #include "mesh/split.hpp"
 
 namespace soft::solver {
@@ -38,7 +38,7 @@ void expect_the_curve_of_the_default(const model::Case& input, LinearMethod meth
     const auto found = run(other);
     const std::string what = "method " + std::to_string(static_cast<int>(method)) + ", preconditioner " +
                              std::to_string(static_cast<int>(preconditioner));
-    ASSERT_EQ(found.end.reason, solution::StopReason::done) << what << ": " << found.end.detail;
+    ASSERT_EQ(found.end.reason, model::StopReason::done) << what << ": " << found.end.detail;
     ASSERT_EQ(found.steps.size(), wanted.size()) << what;
     for (std::size_t i = 1; i < wanted.size(); ++i) {
         EXPECT_NEAR(found.steps[i].load_factor, wanted[i].load_factor, 1e-14) << what;
@@ -140,7 +140,7 @@ TEST(LinearMethods, RigidMotionsReduceTheIterationsOfGamg) {
         return solve.iterations;
     };
     const int without = iterations();
-    assembly::attach_rigid_motions(bench.system, K);
+    fem::attach_rigid_motions(bench.system, K);
     EXPECT_LT(iterations(), without);
 }
 
@@ -148,7 +148,7 @@ TEST(LinearMethods, APathReportsALinearLimitThatIsFarTooLow) {
     auto input = pulled_box(model::Formulation::displacement);
     input.solver.linear = {LinearMethod::krylov, Preconditioner::none, 1e-8, 1};
     const auto [steps, end, log] = run(input);
-    EXPECT_EQ(end.reason, solution::StopReason::diverged);
+    EXPECT_EQ(end.reason, model::StopReason::diverged);
     EXPECT_NE(end.detail.find("solver.linear_limit"), std::string::npos) << end.detail;
     ASSERT_EQ(steps.size(), 1u);
     EXPECT_EQ(steps[0].outputs[0], 0.0);

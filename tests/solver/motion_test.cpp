@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "../assembly/sample_cases.hpp"
+#include "../fem/sample_cases.hpp"
 #include "../geometry/dice.hpp"
 #include "bench.hpp"
 
@@ -30,7 +30,7 @@ model::Case moved_block(Dice& dice, double strain) {
 }
 
 void expect_path_of_the_motion(const Run& path, double motion_m, const std::string& what) {
-    ASSERT_EQ(path.end.reason, solution::StopReason::done) << what << path.end.detail;
+    ASSERT_EQ(path.end.reason, model::StopReason::done) << what << path.end.detail;
     double before = 0, energy_J = 0;
     for (const auto& step : path.steps) {
         const double share = step.outputs[0] / motion_m;
@@ -79,7 +79,7 @@ TEST(Motion, GoesOutAndBackInStages) {
         back.motions = {-1.0};
         input.path.stages = {out, back};
         const auto path = run(input);
-        ASSERT_EQ(path.end.reason, solution::StopReason::done) << path.end.detail;
+        ASSERT_EQ(path.end.reason, model::StopReason::done) << path.end.detail;
         EXPECT_NEAR(path.steps.back().outputs[0], -strain * 0.01, 1e-12);
         for (const auto& step : path.steps)
             EXPECT_LE(std::abs(step.outputs[0]), std::abs(strain) * 0.01 + 1e-12) << step.load_factor;

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "../assembly/block_mesh.hpp"
+#include "../fem/block_mesh.hpp"
 #include "bench.hpp"
 #include "core/error.hpp"
 #include "sphere.hpp"
@@ -56,7 +56,7 @@ double bar_frequency_Hz(double stretch, int mode) {
 TEST(NaturalFrequencies, AreThoseOfAStretchedBar) {
     for (const double traction_Pa : {0.8 * sample_mu_Pa, -0.4 * sample_mu_Pa}) {
         const auto path = run(bar(traction_Pa, 2));
-        ASSERT_EQ(path.end.reason, solution::StopReason::done);
+        ASSERT_EQ(path.end.reason, model::StopReason::done);
         ASSERT_GT(path.steps.size(), 3u);
         EXPECT_GT(std::abs(path.steps.back().outputs[0]), 0.1);
         for (const auto& step : path.steps) {
@@ -69,7 +69,7 @@ TEST(NaturalFrequencies, AreThoseOfAStretchedBar) {
     }
 }
 
-/// Linearised equation of motion of the incompressible sphere (tests/dynamics/breathing_sphere.hpp) at constant pressure:
+/// Linearised equation of motion of the incompressible sphere (tests/solver/breathing_sphere.hpp) at constant pressure:
 ///   (2 pi f)^2 = p'(l) / (rho A a (1 - a / b)),     a = l A, b^3 = B^3 + a^3 - A^3, p the static pressure at the inner stretch l.
 double breathing_frequency_Hz(double la) {
     constexpr double A = 0.01, B = 0.02;
@@ -96,7 +96,7 @@ double nearest(const std::vector<double>& frequencies, double value) {
 
 TEST(NaturalFrequencies, OfASphereAreNegativeBeyondThePressureMaximum) {
     const auto path = run(filled_sphere(6));
-    ASSERT_EQ(path.end.reason, solution::StopReason::done);
+    ASSERT_EQ(path.end.reason, model::StopReason::done);
     ASSERT_EQ(path.end.limit_points.size(), 1u);
     const double scale = breathing_frequency_Hz(1.0);
     int stable = 0, unstable = 0;
@@ -135,11 +135,11 @@ TEST(NaturalFrequencies, OfASquareBeamComeInPairs) {
     for (auto& point : input.mesh.points) point[0] *= 6.0;
     input.supports = {{"fixed", {true, true, true}}};
     input.materials[0].density_kg_m3 = density;
-    assembly::System system(input, PETSC_COMM_WORLD);
+    fem::System system(input, PETSC_COMM_WORLD);
     const linalg::Vector rest = system.make_vector();
     std::vector<double> frequencies[4];
     for (int count = 1; count <= 4; ++count)
-        frequencies[count - 1] = NaturalFrequencies(system, count).evaluate(rest, assembly::no_loads(input));
+        frequencies[count - 1] = NaturalFrequencies(system, count).evaluate(rest, fem::no_loads(input));
     const auto& four = frequencies[3];
     EXPECT_NEAR(four[1] / four[0], 1.0, 1e-9);
     EXPECT_GT(four[2], 2.0 * four[1]);

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "../assembly/sample_cases.hpp"
+#include "../fem/sample_cases.hpp"
 #include "bench.hpp"
 #include "sphere.hpp"
 
@@ -37,7 +37,7 @@ TEST(NewtonMethods, KeptTangentsReachTheSameStatesWithFewerFactorisationsAndMore
         for (const auto method : {NewtonMethod::modified, NewtonMethod::bfgs}) {
             input.solver.newton = method;
             const auto other = run(input);
-            ASSERT_EQ(other.end.reason, solution::StopReason::done) << other.end.detail;
+            ASSERT_EQ(other.end.reason, model::StopReason::done) << other.end.detail;
             ASSERT_EQ(other.steps.size(), full.steps.size());
             for (std::size_t i = 1; i < full.steps.size(); ++i)
                 EXPECT_NEAR(other.steps[i].outputs[0] / full.steps[i].outputs[0], 1.0, 1e-7);
@@ -64,7 +64,7 @@ TEST(NewtonMethods, ALoadNearRoundingHasTheElongationOfLinearElasticity) {
     const double pressure_Pa = 1e-8 * sample_mu_Pa;
     input.path.stages[0].supplies[0].value = -pressure_Pa;
     const auto [steps, end, log] = run(input);
-    ASSERT_EQ(end.reason, solution::StopReason::done) << end.detail;
+    ASSERT_EQ(end.reason, model::StopReason::done) << end.detail;
     EXPECT_NEAR(steps.back().outputs[0] / (0.01 * pressure_Pa / (3 * sample_mu_Pa)), 1.0, 1e-5);
 }
 
@@ -77,7 +77,7 @@ TEST(NewtonMethods, KeptTangentsFollowTheSphereThroughItsLimitPoint) {
         input.solver.newton = method;
         input.solver.newton_limit = 40;
         const auto [steps, end, log] = run(input);
-        EXPECT_EQ(end.reason, solution::StopReason::done) << end.detail;
+        EXPECT_EQ(end.reason, model::StopReason::done) << end.detail;
         ASSERT_EQ(end.limit_points.size(), 1u);
         EXPECT_NEAR(end.limit_points[0].pressure_Pa / sample_mu_Pa / sphere_limit, 1.0, 1e-3);
     }
@@ -93,7 +93,7 @@ TEST(NewtonMethods, KeptTangentsMoveAFace) {
     for (const auto method : {NewtonMethod::modified, NewtonMethod::bfgs}) {
         input.solver.newton = method;
         const auto other = run(input);
-        ASSERT_EQ(other.end.reason, solution::StopReason::done) << other.end.detail;
+        ASSERT_EQ(other.end.reason, model::StopReason::done) << other.end.detail;
         EXPECT_NEAR(other.steps.back().max_stretch, full.steps.back().max_stretch, 1e-7);
     }
 }
@@ -103,7 +103,7 @@ TEST(NewtonMethods, TangentsByDifferencesGiveTheSameCurve) {
     const auto exact = run(input);
     input.solver.tangent = model::TangentSource::finite_difference;
     const auto differences = run(input);
-    ASSERT_EQ(differences.end.reason, solution::StopReason::done) << differences.end.detail;
+    ASSERT_EQ(differences.end.reason, model::StopReason::done) << differences.end.detail;
     ASSERT_EQ(differences.steps.size(), exact.steps.size());
     for (std::size_t i = 1; i < exact.steps.size(); ++i)
         EXPECT_NEAR(differences.steps[i].outputs[0] / exact.steps[i].outputs[0], 1.0, 1e-8);

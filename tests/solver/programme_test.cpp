@@ -3,14 +3,14 @@
 
 #include <cmath>
 
-#include "../assembly/sample_cases.hpp"
+#include "../fem/sample_cases.hpp"
 #include "bench.hpp"
 #include "core/error.hpp"
 
 namespace soft::solver {
 namespace {
 
-using solution::StopReason;
+using model::StopReason;
 
 /// A block fixed on one side under its own weight, a pressure on its top and a traction on its end.
 model::Case loaded_block() {
@@ -74,10 +74,10 @@ TEST(Programme, APrescribedMotionStretchesTheBlockByTheClosedForm) {
     input.motions = {{"end", {0.005, std::nullopt, std::nullopt}}};
     input.outputs = {{"width", "right", {0, 1, 0}}};
     input.path.stages = {full_load(input, {})};
-    assembly::System system(input, PETSC_COMM_WORLD);
+    fem::System system(input, PETSC_COMM_WORLD);
     double energy = 0;
-    std::vector<solution::Step> steps;
-    const auto end = follow_path(system, {.step = [&](const solution::Step& step, Vec x) {
+    std::vector<model::Step> steps;
+    const auto end = follow_path(system, {.step = [&](const model::Step& step, Vec x) {
                                      steps.push_back(step);
                                      energy = system.stored_energy(x);
                                  }});

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "../assembly/sample_cases.hpp"
+#include "../fem/sample_cases.hpp"
 #include "bench.hpp"
 
 namespace soft::solver {
@@ -55,7 +55,7 @@ model::Case tube_between_planes(int layers) {
 TEST(Reactions, OfATubeBetweenPlanesAreThrustMinusWallForce) {
     const auto input = tube_between_planes(8);
     const auto result = run(input);
-    ASSERT_EQ(result.end.reason, solution::StopReason::done);
+    ASSERT_EQ(result.end.reason, model::StopReason::done);
     const double A = 0.01, B = 0.02, pi = std::numbers::pi;
     for (const auto& step : result.steps) {
         const double a = A + step.outputs[2], c = a * a - A * A, p = step.pressure_Pa;
@@ -78,7 +78,7 @@ TEST(Reactions, OfAStretchedBarAreItsNominalStress) {
                      {"elongation", "end", {1, 0, 0}}};
     input.path.stages = {full_load(input, {})};
     const auto result = run(input);
-    ASSERT_EQ(result.end.reason, solution::StopReason::done);
+    ASSERT_EQ(result.end.reason, model::StopReason::done);
     for (const auto& step : result.steps) {
         const double l = 1 + step.outputs[2] / 0.01, expected = 1e-4 * sample_mu_Pa * (l - 1 / (l * l));
         EXPECT_NEAR(step.outputs[0], -expected, 1e-9);
@@ -93,7 +93,7 @@ TEST(Reactions, CanBeTheGoalOfAPath) {
     auto input = tube_between_planes(2);
     input.path.stages[0].until = {{"right", -0.2}};
     const auto [steps, end, log] = run(input);
-    EXPECT_EQ(end.reason, solution::StopReason::done);
+    EXPECT_EQ(end.reason, model::StopReason::done);
     EXPECT_NEAR(steps.back().outputs[0], -0.2, 1e-8);
     EXPECT_NE(end.detail.find("right of -0.2 N"), std::string::npos) << end.detail;
     auto bar = box_case(1, true);  // moved: the force depends on the load factor only through the motion
@@ -129,7 +129,7 @@ model::Case clamped_block() {
 TEST(Reactions, OfBothEndsAreTheResultantOfDeadLoads) {
     auto input = clamped_block();
     const auto result = run(input);
-    ASSERT_EQ(result.end.reason, solution::StopReason::done);
+    ASSERT_EQ(result.end.reason, model::StopReason::done);
     const auto& outputs = result.steps.back().outputs;
     const double weight = 1080 * 1e-6;
     const std::array<double, 3> loads{1e-4 * 1e3 + 30 * weight, 1e-4 * 2e3, 1e-4 * 5e3 - 300 * weight + 1e-4 * 2e4};
@@ -157,7 +157,7 @@ TEST(Reactions, MomentsBalanceAboutAnyPoint) {
     input.supports[1].fixed = {false, true, false};
     input.path.stages = {full_load(input, {2e4})};
     const auto result = run(input);
-    ASSERT_EQ(result.end.reason, solution::StopReason::done);
+    ASSERT_EQ(result.end.reason, model::StopReason::done);
     const auto& o = result.steps.back().outputs;
     const Vector3 F{o[0], o[2], o[4]}, M{o[1], o[3], o[5]}, G{o[6], o[8], o[10]}, N{o[7], o[9], o[11]};
     const Vector3 arm{0.0075, -0.005, 0};  // between the centroids: (0, 5, 5) mm and (7.5, 0, 5) mm

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "../assembly/sample_cases.hpp"
+#include "../fem/sample_cases.hpp"
 #include "bench.hpp"
 #include "core/error.hpp"
 #include "solver/goals.hpp"
@@ -94,7 +94,7 @@ TEST(Path, SphereFollowsItsClosedFormThroughTheLimitPointUnderVolumeControl) {
     input.path.stages[0].control = model::Control::volume;
     input.path.stages[0].until = {{"volume_ratio", 27.0}};  // l_a = 3
     const auto [steps, end, log] = run(input);
-    EXPECT_EQ(end.reason, solution::StopReason::done);
+    EXPECT_EQ(end.reason, model::StopReason::done);
     EXPECT_NEAR(inner_stretch(steps.back()), 3.0, 1e-4);
     for (const auto& step : steps)
         EXPECT_NEAR(step.pressure_Pa / sample_mu_Pa, sphere_pressure(inner_stretch(step)), 1e-3 * sphere_limit);
@@ -113,7 +113,7 @@ TEST(Path, AutomaticControlPassesTheLimitPoint) {
     auto input = sphere_case(4, 8);
     input.path.stages[0].until = {{"volume_ratio", 27.0}};
     const auto [steps, end, log] = run(input);
-    EXPECT_EQ(end.reason, solution::StopReason::done);
+    EXPECT_EQ(end.reason, model::StopReason::done);
     EXPECT_NEAR(inner_stretch(steps.back()), 3.0, 1e-4);
     ASSERT_EQ(end.limit_points.size(), 1u);
     EXPECT_NEAR(end.limit_points[0].pressure_Pa / sample_mu_Pa / sphere_limit, 1.0, 1e-4);
@@ -125,7 +125,7 @@ TEST(Path, ArcLengthControlFindsTheSameLimitPoint) {
     input.path.stages[0].control = model::Control::arc_length;
     input.path.stages[0].until = {{"volume_ratio", 10.0}};
     const auto end = run(input).end;
-    EXPECT_EQ(end.reason, solution::StopReason::done);
+    EXPECT_EQ(end.reason, model::StopReason::done);
     ASSERT_EQ(end.limit_points.size(), 1u);
     EXPECT_NEAR(end.limit_points[0].pressure_Pa / sample_mu_Pa / sphere_limit, 1.0, 1e-4);
 }
@@ -134,7 +134,7 @@ TEST(Path, PressureControlEndsAtTheLimitPoint) {
     auto input = sphere_case(4, 8);
     input.path.stages[0].control = model::Control::pressure;
     const auto [steps, end, log] = run(input);
-    EXPECT_EQ(end.reason, solution::StopReason::limit_point);
+    EXPECT_EQ(end.reason, model::StopReason::limit_point);
     EXPECT_NEAR(steps.back().pressure_Pa / sample_mu_Pa / sphere_limit, 1.0, 1e-4);
     for (std::size_t i = 1; i < steps.size(); ++i) EXPECT_GT(steps[i].pressure_Pa, steps[i - 1].pressure_Pa);
 }
@@ -143,10 +143,10 @@ TEST(Path, PressureControlEndsAtTheLimitPoint) {
 TEST(Path, WorkOfThePressureIsTheStoredEnergy) {
     auto input = sphere_case(4, 8);
     input.path.stages[0].until = {{"volume_ratio", 8.0}};
-    assembly::System system(input, PETSC_COMM_WORLD);
-    std::vector<solution::Step> steps;
+    fem::System system(input, PETSC_COMM_WORLD);
+    std::vector<model::Step> steps;
     double energy = 0;
-    (void)follow_path(system, {.step = [&](const solution::Step& step, Vec x) {
+    (void)follow_path(system, {.step = [&](const model::Step& step, Vec x) {
                           steps.push_back(step);
                           energy = system.stored_energy(x) / input.model_fraction;
                       }});
@@ -164,7 +164,7 @@ TEST(Path, WorkOfThePressureIsTheStoredEnergy) {
 TEST(Path, PulledBoxFollowsTheUniaxialClosedForm) {
     const auto input = box_case(1, true);
     const auto [steps, end, log] = run(input);
-    EXPECT_EQ(end.reason, solution::StopReason::done);
+    EXPECT_EQ(end.reason, model::StopReason::done);
     for (const auto& step : steps) {
         const double l = 1.0 + step.outputs[0] / 0.01;
         EXPECT_NEAR(-step.pressure_Pa / sample_mu_Pa, l * l - 1.0 / l, 1e-8);
@@ -186,7 +186,7 @@ TEST(Path, EndsAtTheFirstGoalReached) {
 TEST(Path, ReportsAStepLimit) {
     auto input = box_case(1, true);
     input.solver.step_limit = 2;
-    EXPECT_EQ(run(input).end.reason, solution::StopReason::step_limit);
+    EXPECT_EQ(run(input).end.reason, model::StopReason::step_limit);
 }
 
 TEST(Path, RejectsABodyWithARigidMotion) {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "../assembly/sample_cases.hpp"
-#include "solution/path.hpp"
+#include "../fem/sample_cases.hpp"
+#include "model/path.hpp"
 
 namespace soft::solver {
 
@@ -19,6 +19,6 @@ inline constexpr double sphere_limit = 0.816424;  // at l_a = 1.8281
 
 inline constexpr double sphere_cavity_m3 = 4.0 / 3.0 * std::numbers::pi * 1e-6;
 
-inline double inner_stretch(const solution::Step& step) { return std::cbrt(*step.volume_m3 / sphere_cavity_m3); }
+inline double inner_stretch(const model::Step& step) { return std::cbrt(*step.volume_m3 / sphere_cavity_m3); }
 
 }  // namespace soft::solver

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "../assembly/sample_cases.hpp"
+#include "../fem/sample_cases.hpp"
 #include "solver/stage_loads.hpp"
 
 namespace soft::solver {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../assembly/sample_cases.hpp"
+#include "../fem/sample_cases.hpp"
 #include "bench.hpp"
 #include "core/error.hpp"
 
@@ -22,7 +22,7 @@ model::Case box(StepRule rule, double first_step) {
 }
 
 /// sigma = mu (l^2 - 1/l) of the uniaxial pull.
-void expect_closed_form(const std::vector<solution::Step>& steps) {
+void expect_closed_form(const std::vector<model::Step>& steps) {
     for (const auto& step : steps) {
         const double l = 1.0 + step.outputs[0] / 0.01;
         EXPECT_NEAR(-step.pressure_Pa / sample_mu_Pa, l * l - 1.0 / l, 1e-8);
@@ -32,7 +32,7 @@ void expect_closed_form(const std::vector<solution::Step>& steps) {
 TEST(StepRules, ConstantStepsEndAtMultiplesOfTheFirstStep) {
     for (const int n : {49, 300}) {  // 49 x (1 / 49) < 1 in floating point
         const auto [steps, end, log] = run(box(StepRule::constant, 1.0 / n));
-        EXPECT_EQ(end.reason, solution::StopReason::done);
+        EXPECT_EQ(end.reason, model::StopReason::done);
         ASSERT_EQ(steps.size(), static_cast<std::size_t>(n) + 1);
         for (int k = 0; k <= n; ++k)
             EXPECT_NEAR(steps[static_cast<std::size_t>(k)].load_factor, static_cast<double>(k) / n, 1e-14);
@@ -57,7 +57,7 @@ TEST(StepRules, AConstantStepReturnsToItsMultiplesAfterACut) {
     input.solver.predictor = Predictor::none;
     input.solver.residual_tolerance = 1e-5;
     const auto [steps, end, log] = run(input);
-    EXPECT_EQ(end.reason, solution::StopReason::done) << end.detail;
+    EXPECT_EQ(end.reason, model::StopReason::done) << end.detail;
     EXPECT_GT(steps.size(), 5u);
     for (int k = 0; k <= 4; ++k)
         EXPECT_TRUE(std::ranges::any_of(steps, [&](const auto& step) {
@@ -69,7 +69,7 @@ TEST(StepRules, StepsGrowByTheRootOfWantedOverActualIterations) {
     auto input = box(StepRule::iteration_adaptive, 0.01);
     input.solver.wanted_iterations = 4;
     const auto [steps, end, log] = run(input);
-    EXPECT_EQ(end.reason, solution::StopReason::done);
+    EXPECT_EQ(end.reason, model::StopReason::done);
     ASSERT_GT(steps.size(), 5u);
     for (std::size_t i = 2; i + 1 < steps.size(); ++i) {
         const double grown =
@@ -88,7 +88,7 @@ TEST(StepRules, BetterPredictorsFollowTheSamePathInFewerIterations) {
         auto input = box(StepRule::constant, 0.05);
         input.solver.predictor = predictor;
         const auto result = run(input);
-        EXPECT_EQ(result.end.reason, solution::StopReason::done);
+        EXPECT_EQ(result.end.reason, model::StopReason::done);
         EXPECT_EQ(result.steps.size(), 21u);
         expect_closed_form(result.steps);
         iterations.push_back(result.end.newton_iterations);
@@ -102,7 +102,7 @@ TEST(StepRules, ErrorAdaptiveStepsWorkWithoutAPredictedInitialGuess) {
     const auto cubic = run(input).steps;
     input.solver.predictor = Predictor::none;
     const auto [steps, end, log] = run(input);
-    EXPECT_EQ(end.reason, solution::StopReason::done);
+    EXPECT_EQ(end.reason, model::StopReason::done);
     ASSERT_EQ(steps.size(), cubic.size());  // the predictor still chooses the steps
     for (std::size_t i = 0; i < steps.size(); ++i) EXPECT_NEAR(steps[i].load_factor, cubic[i].load_factor, 1e-6);
 }
@@ -117,7 +117,7 @@ TEST(StepRules, ALooseEquilibriumDoesNotEndThePath) {
     input.solver.linear.preconditioner = model::Preconditioner::jacobi;
     input.solver.linear.tolerance = 1e-2;
     const auto [steps, end, log] = run(input);
-    EXPECT_EQ(end.reason, solution::StopReason::done) << end.detail;
+    EXPECT_EQ(end.reason, model::StopReason::done) << end.detail;
 }
 
 }  // namespace

@@ -11,13 +11,13 @@ namespace {
 
 using model::Prescription;
 
-double relative_pressure(const solution::Step& step) { return step.pressure_Pa / sample_mu_Pa; }
+double relative_pressure(const model::Step& step) { return step.pressure_Pa / sample_mu_Pa; }
 
 TEST(Supply, PrescribedVolumeGivesThePressureOfTheClosedForm) {
     auto input = sphere_case(4, 8);
     input.path.stages[0].supplies = {{Prescription::volume_ratio, 8.0}};  // l_a = 2
     const auto [steps, end, log] = run(input);
-    EXPECT_EQ(end.reason, solution::StopReason::done);
+    EXPECT_EQ(end.reason, model::StopReason::done);
     EXPECT_NEAR(inner_stretch(steps.back()), 2.0, 1e-5);  // the mesh is not exactly spherical
     EXPECT_NEAR(relative_pressure(steps.back()), 0.806927, 1e-4);
     ASSERT_EQ(end.limit_points.size(), 1u);
@@ -32,7 +32,7 @@ TEST(Supply, InjectedMassFillsTheSphereByTheGasLaw) {
     input.loads[0].gas = {.dead_volume_m3 = 2e-6, .exponent = 1.4};
     input.path.stages[0].supplies = {{Prescription::mass, 4e-5}};
     const auto [steps, end, log] = run(input);
-    EXPECT_EQ(end.reason, solution::StopReason::done);
+    EXPECT_EQ(end.reason, model::StopReason::done);
     const auto& last = steps.back();
     EXPECT_NEAR(relative_pressure(last), sphere_pressure(inner_stretch(last)), 1e-4);
     const double density = (1.204 * (*steps.front().volume_m3 + 2e-6) + 4e-5) / (*last.volume_m3 + 2e-6);
@@ -48,8 +48,8 @@ TEST(Supply, AClosedValveConservesTheGas) {
     input.path.stages = {full_load(input, {4e4, 0.0}), full_load(input, {0.0, 3e4})};
     input.path.stages[1].supplies[0] = {Prescription::closed, 0.0};
     const auto [steps, end, log] = run(input);
-    EXPECT_EQ(end.reason, solution::StopReason::done);
-    const auto invariant = [](const solution::Step& step) {
+    EXPECT_EQ(end.reason, model::StopReason::done);
+    const auto invariant = [](const model::Step& step) {
         return (step.pressures_Pa[0] + 101325.0) * std::pow(*step.volume_m3 + 1e-6, 1.4);
     };
     std::optional<double> closed;
@@ -81,7 +81,7 @@ TEST(Supply, ACavityIsFilledAgainstAnOutsidePressure) {
                 if (stages == 2) input.path.stages = {first, second};
                 for (auto& stage : input.path.stages) stage.control = control;
                 const auto [steps, end, log] = run(input);
-                ASSERT_EQ(end.reason, solution::StopReason::done) << end.detail;
+                ASSERT_EQ(end.reason, model::StopReason::done) << end.detail;
                 for (std::size_t i = 1; i < steps.size(); ++i) EXPECT_GT(*steps[i].volume_m3, *steps[i - 1].volume_m3);
                 const auto& last = steps.back();
                 EXPECT_GT(inner_stretch(last), 1.4);
@@ -94,7 +94,7 @@ TEST(Supply, AStageWithoutChangeIsOneRow) {
     auto input = sphere_case(2, 4);
     input.path.stages = {full_load(input, {3e4}), full_load(input, {3e4}), full_load(input, {0.0})};
     const auto [steps, end, log] = run(input);
-    EXPECT_EQ(end.reason, solution::StopReason::done);
+    EXPECT_EQ(end.reason, model::StopReason::done);
     int rows = 0;
     for (const auto& step : steps)
         if (step.stage == 1) {
@@ -113,7 +113,7 @@ TEST(Supply, VentingBeyondTheLimitPointDeflatesTheSphere) {
     inflate.supplies = {{Prescription::volume_ratio, 8.0}};
     input.path.stages = {inflate, vent};
     const auto [steps, end, log] = run(input);
-    EXPECT_EQ(end.reason, solution::StopReason::done);
+    EXPECT_EQ(end.reason, model::StopReason::done);
     EXPECT_EQ(end.limit_points.size(), 2u);
     EXPECT_NEAR(inner_stretch(steps.back()), 1.0, 1e-4);
 }
@@ -125,10 +125,10 @@ TEST(Supply, TheStretchLimitEndsOnlyALoadThatIsNeverReached) {
     auto never = input;
     never.path.stages = {full_load(input, {2 * sample_mu_Pa})};
     const auto abandoned = run(never);
-    EXPECT_EQ(abandoned.end.reason, solution::StopReason::limit_point);
+    EXPECT_EQ(abandoned.end.reason, model::StopReason::limit_point);
     EXPECT_NE(abandoned.end.detail.find("stretch_limit"), std::string::npos);
     input.path.stages[0].supplies = {{Prescription::volume_ratio, 8.0}};
-    EXPECT_EQ(run(input).end.reason, solution::StopReason::done);
+    EXPECT_EQ(run(input).end.reason, model::StopReason::done);
 }
 
 // Two equal spheres with a common gas stay equal up to the maximum of the pressure; there one grows while the other shrinks
@@ -136,7 +136,7 @@ TEST(Supply, TheStretchLimitEndsOnlyALoadThatIsNeverReached) {
 TEST(Supply, TwoSpheresOnOneGasBranchAtTheMaximumOfThePressure) {
     const auto input = two_spheres_case(3, 6, 12.0);
     const auto [steps, end, log] = run(input);
-    EXPECT_EQ(end.reason, solution::StopReason::done);
+    EXPECT_EQ(end.reason, model::StopReason::done);
     ASSERT_EQ(end.bifurcations.size(), 1u);
     EXPECT_EQ(end.bifurcations[0].modes, 1);
     EXPECT_NEAR(end.bifurcations[0].at.pressure_Pa / sample_mu_Pa / sphere_limit, 1.0, 1e-4);
@@ -162,7 +162,7 @@ TEST(Supply, TheAsymmetricBranchOfTwoSpheresHasOnePressureAndTheGivenVolume) {
     input.path.branch = model::Branch::follow;
     input.path.imperfection_m = 5e-4;
     const auto [steps, end, log] = run(input);
-    EXPECT_EQ(end.reason, solution::StopReason::done);
+    EXPECT_EQ(end.reason, model::StopReason::done);
     const auto& last = steps.back();
     const auto stretch = [&](int which) {
         return std::cbrt(last.volumes_m3[static_cast<std::size_t>(which)] / sphere_cavity_m3);

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "../assembly/sample_cases.hpp"
+#include "../fem/sample_cases.hpp"
 #include "bench.hpp"
 
 namespace soft::solver {
@@ -15,9 +15,9 @@ model::Case with_pressure(model::Case input, double pressure_Pa) {
 }
 
 /// The last row of a path that is done within a few steps and conserves energy.
-solution::Step end_of(const model::Case& input, const std::string& what) {
+model::Step end_of(const model::Case& input, const std::string& what) {
     const auto path = run(input);
-    EXPECT_EQ(path.end.reason, solution::StopReason::done) << what << path.end.detail;
+    EXPECT_EQ(path.end.reason, model::StopReason::done) << what << path.end.detail;
     EXPECT_LE(path.steps.size(), 5u) << what;
     const auto& last = path.steps.back();
     EXPECT_NEAR(last.energies->load_work_J / last.energies->stored_J, 1, 1e-3) << what;

@@ -88,7 +88,7 @@ TEST(VisitedStates, TwoFoldsAreNoReversal) {
 
 TEST(VisitedStates, SketchesPreserveDistances) {
     const auto input = sphere_case(2, 4);
-    const assembly::System system(input, PETSC_COMM_WORLD);
+    const fem::System system(input, PETSC_COMM_WORLD);
     const auto x = system.make_vector(), y = system.make_vector();
     SOFT_PETSC(VecSet(x, 1.0));
     for (PetscInt i = system.dofs().begin; i < system.dofs().end; ++i)
@@ -119,10 +119,10 @@ TEST(VisitedStates, AClosedBranchOfTwoSpheresIsFollowedOnce) {
     input.path.stretch_limit = 50;
     input.solver.step_limit = 600;
     const auto [steps, end, log] = run(input);
-    EXPECT_EQ(end.reason, solution::StopReason::limit_point);
+    EXPECT_EQ(end.reason, model::StopReason::limit_point);
     EXPECT_NE(end.detail.find("the path is closed"), std::string::npos) << end.detail;
     // Pressure and both volumes of the last row lie on the line between two rows of the branch, up to its curvature.
-    const auto values_of = [](const solution::Step& step) {
+    const auto values_of = [](const model::Step& step) {
         return std::array{step.pressure_Pa / sample_mu_Pa, step.volumes_m3[0] / sphere_cavity_m3 / 100,
                           step.volumes_m3[1] / sphere_cavity_m3 / 100};
     };

@@ -3,19 +3,19 @@
 
 #include <cmath>
 
-#include "../assembly/sample_cases.hpp"
+#include "../fem/sample_cases.hpp"
 #include "bench.hpp"
 
 namespace soft::solver {
 namespace {
 
-double gap(const solution::Step& step) { return std::abs(step.energies->load_work_J / step.energies->stored_J - 1); }
+double gap(const model::Step& step) { return std::abs(step.energies->load_work_J / step.energies->stored_J - 1); }
 
 TEST(Work, OfAnInflationIsTheEnergyOfTheRubber) {
     auto input = sphere_case(2, 8);
     input.path.stages[0].until = {{"volume_ratio", 8}};
     const auto result = run(input);  // past the limit point
-    ASSERT_EQ(result.end.reason, solution::StopReason::done);
+    ASSERT_EQ(result.end.reason, model::StopReason::done);
     for (const auto& step : result.steps) {
         EXPECT_TRUE(step.energies->stored_J <= 0 || gap(step) < 1e-4) << step.load_factor;
         const double power = step.pressure_Pa * step.tangent_volume;
@@ -41,7 +41,7 @@ model::Case loaded_block() {
 TEST(Work, OfDeadLoadsAndMotionsIsTheEnergyOfTheRubber) {
     auto input = loaded_block();
     const auto together = run(input);
-    ASSERT_EQ(together.end.reason, solution::StopReason::done);
+    ASSERT_EQ(together.end.reason, model::StopReason::done);
     EXPECT_LT(gap(together.steps.back()), 1e-5);
     // With stages the direction of the path changes between them; the energy depends only on the state.
     auto weight = full_load(input, {0.0}), all = full_load(input, {1e4});

@@ -37,7 +37,7 @@ TEST(FacetMap, ReproducesAQuadraticMapWithItsTangents) {
     for (const CellType type : {CellType::triangle6, CellType::quad9}) {
         const auto at = image_of(type, map)({0.3, 0.2});
         const mesh::Point x = map(0.3, 0.2);
-        const Vector t1{1, 0.2, 0.6}, t2{-0.4, 2.3, -1};
+        const Vector3 t1{1, 0.2, 0.6}, t2{-0.4, 2.3, -1};
         for (std::size_t d = 0; d < 3; ++d) {
             EXPECT_NEAR(at.x[d], x[d], 1e-14);
             EXPECT_NEAR(at.t1[d], t1[d], 1e-14);

@@ -34,7 +34,7 @@ TEST(OutputsOf, AreTheValuesOfTheCurveAtTheRequestedPoints) {
 }
 
 TEST(OutputsOf, AtALimitPointAreThoseOfItsRow) {
-    const std::vector<solution::LimitPoint> limits{{16, 0, std::nullopt, {}}};  // stretch 1.8
+    const std::vector<model::LimitPoint> limits{{16, 0, std::nullopt, {}}};  // stretch 1.8
     const auto cells = outputs_of(asking("at: limit\noutputs: growth_mm\n"), sphere(), limits).cells;
     EXPECT_NEAR(value(cells, "growth_mm_at_limit"), 800, 1e-9);
 }

@@ -15,7 +15,7 @@ std::vector<Problem> contact_problems() {
                  for (const char* size : {"2 mm", "1.5 mm", "1 mm"}) {
                      const auto run = run_design("vacuum.yaml", {std::string("mesh.size=") + size});
                      table.lines.push_back({size, printed_number(run.pressure_kPa()), printed_number(run.output_mm()),
-                                            std::string(solution::name(run.end.reason))});
+                                            std::string(model::name(run.end.reason))});
                  }
                  return Outcome{{}, {table}};
              }}};

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "assembly/system.hpp"
 #include "core/text.hpp"
+#include "fem/system.hpp"
 #include "inflation_formula.hpp"
 #include "run_design.hpp"
 #include "solver/accuracy.hpp"
@@ -139,11 +139,11 @@ std::vector<Known> known_curves() {
 using Ratios = std::vector<double>;
 
 struct Reference {
-    std::vector<solution::Step> finest, before;  ///< on the last two meshes
-    Truth formula;                               ///< if there is one
+    std::vector<model::Step> finest, before;  ///< on the last two meshes
+    Truth formula;                            ///< if there is one
 };
 
-double measure_of(const solution::Step& step) { return step.outputs.empty() ? *step.volume_m3 : step.outputs[0]; }
+double measure_of(const model::Step& step) { return step.outputs.empty() ? *step.volume_m3 : step.outputs[0]; }
 
 /// Compares the load at equal measure, or the measure at equal load where the curve is steep. The error of the finest mesh is taken as
 /// half its difference from the previous mesh, which assumes that differences decrease by a factor of three.
@@ -155,16 +155,16 @@ Ratios ratios_of(const model::Case& input, const std::vector<solver::RowState>& 
     }
     Ratios ratios;
     for (std::size_t i = 1; i < rows.size(); ++i) {
-        const solution::Step& step = rows[i].step;
+        const model::Step& step = rows[i].step;
         if (reference.formula) {
             const double error = std::abs(step.pressure_Pa - reference.formula(input, *step.volume_m3));
             ratios.push_back(*step.pressure_error_Pa / error);
             continue;
         }
-        const solution::Step &fine = reference.finest[i], &coarse = reference.before[i];
+        const model::Step &fine = reference.finest[i], &coarse = reference.before[i];
         const double along = (fine.outputs.empty() ? fine.tangent_volume : fine.tangent_outputs[0]) / measures;
         const double up = fine.tangent_pressure / loads, length = std::hypot(along, up);
-        const auto across = [&](const solution::Step& a, const solution::Step& b) {
+        const auto across = [&](const model::Step& a, const model::Step& b) {
             return (along * (a.pressure_Pa - b.pressure_Pa) / loads - up * (measure_of(a) - measure_of(b)) / measures) /
                    length;
         };
@@ -182,14 +182,14 @@ std::vector<Ratios> solve(const Known& known) {
     auto sets = known.sets;
     sets.emplace_back("solver.step_accuracy=4e-3");  // few rows
     const model::Case input = read_case(known.design, sets);
-    assembly::System system(input, PETSC_COMM_WORLD);
+    fem::System system(input, PETSC_COMM_WORLD);
     std::vector<solver::RowState> rows;
-    auto end = solver::follow_path(system, {.step = [](const solution::Step&, Vec) {},
+    auto end = solver::follow_path(system, {.step = [](const model::Step&, Vec) {},
                                             .row = [&](const solver::RowState& row) { rows.push_back(row); }});
     const auto bound =
         static_cast<std::int64_t>(std::pow(input.mesh.dimension == 3 ? 8 : 4, known.finer)) * system.dofs().total;
     std::vector<std::vector<solver::RowState>> meshes;
-    const auto keep = [&](const solver::Accuracy& so_far, const solution::PathEnd&) {
+    const auto keep = [&](const solver::Accuracy& so_far, const model::PathEnd&) {
         if (so_far.has_bars) meshes.push_back(so_far.rows);
     };
     const auto accuracy =

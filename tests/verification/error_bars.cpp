@@ -5,8 +5,8 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "assembly/system.hpp"
 #include "core/text.hpp"
+#include "fem/system.hpp"
 #include "inflation_formula.hpp"
 #include "post/curve.hpp"
 #include "post/interpolate.hpp"
@@ -27,9 +27,9 @@ enum class Mesh { given, halved };
 Run run_with_bars(const std::string& design, const std::vector<std::string>& sets, Mesh mesh) {
     Run run;
     run.model = read_case(design, sets);
-    assembly::System system(run.model, PETSC_COMM_WORLD);
+    fem::System system(run.model, PETSC_COMM_WORLD);
     std::vector<solver::RowState> rows;
-    run.end = solver::follow_path(system, {.step = [](const solution::Step&, Vec) {},
+    run.end = solver::follow_path(system, {.step = [](const model::Step&, Vec) {},
                                            .row = [&](const solver::RowState& row) { rows.push_back(row); }});
     // The bound on the unknowns ends the refinement; the tolerance is never reached.
     const std::int64_t levels = mesh == Mesh::given ? 1 : 2, growth = run.model.mesh.dimension == 3 ? 8 : 4;

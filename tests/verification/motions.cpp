@@ -5,7 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "../dynamics/breathing_sphere.hpp"
+#include "../solver/breathing_sphere.hpp"
 #include "beam_formula.hpp"
 #include "core/text.hpp"
 #include "inflation_formula.hpp"
@@ -87,10 +87,10 @@ Outcome solve_cantilever() {
     return outcome;
 }
 
-/// At constant pressure, linearised equation of motion of an incompressible sphere (../dynamics/breathing_sphere.hpp):
+/// At constant pressure, linearised equation of motion of an incompressible sphere (../solver/breathing_sphere.hpp):
 ///   (2 pi f)^2 = p'(l) / (rho A a (1 - a / b)),     a = l A, b^3 = B^3 + a^3 - A^3, p the static pressure at the inner stretch l.
 /// Beyond the pressure maximum p' < 0, and f stands for -|f|.
-double breathing_frequency_Hz(const dynamics::BreathingSphere& sphere, double mu_Pa, double stretch) {
+double breathing_frequency_Hz(const solver::BreathingSphere& sphere, double mu_Pa, double stretch) {
     constexpr double step = 1e-4;
     const auto pressure = [&](double l) {
         return neo_hookean_sphere_pressure_Pa(mu_Pa, l, sphere.outer_m / sphere.inner_m);
@@ -107,9 +107,9 @@ Outcome solve_breathing_frequency() {
     const auto run =
         run_design("verification/sphere-neo-hookean.yaml", {"material.density=1080 kg/m^3", "path.frequencies=6"});
     const double mu = run.model.materials.front().constants.at("mu").front();
-    const dynamics::BreathingSphere sphere{10e-3, 20e-3, *run.model.materials.front().density_kg_m3};
+    const solver::BreathingSphere sphere{10e-3, 20e-3, *run.model.materials.front().density_kg_m3};
     Outcome outcome;
-    const auto add = [&](const std::string& where, const solution::Step& step) {
+    const auto add = [&](const std::string& where, const model::Step& step) {
         const double stretch = std::cbrt(*step.volume_m3 / *run.steps.front().volume_m3);
         const double exact = breathing_frequency_Hz(sphere, mu, stretch);
         outcome.rows.push_back(
@@ -120,7 +120,7 @@ Outcome solve_breathing_frequency() {
              .mesh = run.mesh,
              .seconds = run.seconds});
     };
-    const auto beyond = [&](double stretch) -> const solution::Step& {
+    const auto beyond = [&](double stretch) -> const model::Step& {
         const double volume_m3 = stretch * stretch * stretch * *run.steps.front().volume_m3;
         return *std::ranges::find_if(run.steps, [&](const auto& step) { return *step.volume_m3 > volume_m3; });
     };
@@ -136,10 +136,10 @@ Outcome solve_sphere() {
     const auto& material = run.model.materials.front();
     const double mu = material.constants.at("mu").front();
     const auto elastic_Pa = [&](double stretch) { return neo_hookean_sphere_pressure_Pa(mu, stretch, 2.0); };
-    const dynamics::BreathingSphere sphere{10e-3, 20e-3, *material.density_kg_m3};
+    const solver::BreathingSphere sphere{10e-3, 20e-3, *material.density_kg_m3};
     constexpr int count = 80;  // every row
-    const auto exact = dynamics::breathing_stretches(sphere, run.model.path.stages[0].supplies[0].value, elastic_Pa,
-                                                     run.model.dynamics->duration_s, count);
+    const auto exact = solver::breathing_stretches(sphere, run.model.path.stages[0].supplies[0].value, elastic_Pa,
+                                                   run.model.dynamics->duration_s, count);
     if (run.steps.size() != count + 1) throw std::runtime_error("the sphere has an unexpected number of rows");
     Outcome outcome;
     const auto inner = [&](int row) {

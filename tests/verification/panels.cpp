@@ -49,7 +49,7 @@ Problem cook_study(const std::string& name, const std::string& text, const std::
                     for (const auto& element : elements) {
                         const auto run =
                             run_design("verification/cook.yaml", with(with(cook_mesh(cells), material), element.sets));
-                        table.lines.back().push_back(run.end.reason == solution::StopReason::done
+                        table.lines.back().push_back(run.end.reason == model::StopReason::done
                                                          ? printed_number(rise_mm(run, 48e-3, 52e-3))
                                                          : "fails");
                         if (!published || cells != finest || outcome.rows.size() == 2) continue;
@@ -97,7 +97,7 @@ Problem block() {
                                    {"mesh.size=" + core::number_text(10.0 / cells) + " mm",
                                     "mesh.through_wall=" + std::to_string(cells), std::string("mesh.cells=") + shape});
                     table.lines.back().push_back(
-                        run.end.reason == solution::StopReason::done ? printed_number(-run.output_mm()) : "fails");
+                        run.end.reason == model::StopReason::done ? printed_number(-run.output_mm()) : "fails");
                 }
             }
             return Outcome{{}, {table}};

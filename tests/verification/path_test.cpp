@@ -14,14 +14,14 @@ namespace {
 
 TEST(Tube, VolumeControlPassesTheLimitPointUpToFiveTimesTheVolume) {
     const auto run = run_design("tube.yaml", {});
-    EXPECT_EQ(run.end.reason, solution::StopReason::done);
+    EXPECT_EQ(run.end.reason, model::StopReason::done);
     EXPECT_EQ(run.end.limit_points.size(), 1u);
     EXPECT_NEAR(*run.steps.back().volume_m3 / *run.steps.front().volume_m3, 5.0, 1e-8);
 }
 
 TEST(Tube, PressureControlEndsAtTheLimitPointWithTheCurveUpToIt) {
     const auto run = run_design("tube.yaml", {"path.control=pressure"});
-    EXPECT_EQ(run.end.reason, solution::StopReason::limit_point);
+    EXPECT_EQ(run.end.reason, model::StopReason::limit_point);
     EXPECT_NEAR(run.pressure_kPa() / 44.3387, 1.0, 5e-4);  // independent code
     EXPECT_NEAR(run.output_mm() / 13.45, 1.0, 2e-3);
     for (std::size_t i = 1; i < run.steps.size(); ++i)
@@ -34,7 +34,7 @@ TEST(Tube, FibresAtTheOnsetOfTensionDoNotStopThePath) {
         run_design("tube.yaml", {"material={law: holzapfel-gasser-ogden, mu: 0.1644 MPa, k1: 0.1 MPa, k2: 1, "
                                  "angle: 30 deg}",
                                  "loads.cavity.pressure=20 kPa"});
-    EXPECT_EQ(run.end.reason, solution::StopReason::done);
+    EXPECT_EQ(run.end.reason, model::StopReason::done);
     EXPECT_NEAR(run.pressure_kPa(), 20.0, 1e-9);
     EXPECT_LT(run.output_mm(), 0.0);  // fibres nearer to the axis than the magic angle 54.74 degrees: it shortens
 }
@@ -46,8 +46,8 @@ TEST(Pneunet, WholeModelBendsLikeTheHalfModel) {
     auto whole_sets = coarse;
     whole_sets.push_back("model=solid");
     const auto half = run_design("pneunet.yaml", coarse), whole = run_design("pneunet.yaml", whole_sets);
-    EXPECT_EQ(half.end.reason, solution::StopReason::done);
-    EXPECT_EQ(whole.end.reason, solution::StopReason::done);
+    EXPECT_EQ(half.end.reason, model::StopReason::done);
+    EXPECT_EQ(whole.end.reason, model::StopReason::done);
     ASSERT_EQ(half.steps.back().outputs.size(), 3u);
     for (std::size_t i = 0; i < 3; ++i)
         EXPECT_NEAR(whole.steps.back().outputs[i] / half.steps.back().outputs[i], 1.0, 1e-6);
@@ -58,7 +58,7 @@ TEST(Pneunet, WholeModelBendsLikeTheHalfModel) {
 
 TEST(Bellows, ReachesAnElongationGoalExactly) {
     const auto run = run_design("bellows.yaml", {"mesh.size=3 mm", "path.until.elongation=20 mm"});
-    EXPECT_EQ(run.end.reason, solution::StopReason::done);
+    EXPECT_EQ(run.end.reason, model::StopReason::done);
     EXPECT_NEAR(run.output_mm(), 20.0, 1e-6);
 }
 
@@ -78,7 +78,7 @@ TEST_P(BellowsTo130mm, NeedsFewFactorizationsAndItsSmoothCurveMatchesSmallSteps)
     static const verification::Run dense =
         run_design("bellows.yaml", {"path.control=volume", "solver.step_accuracy=1e-6"});
     const auto run = run_design("bellows.yaml", {std::string("path.control=") + GetParam()});
-    EXPECT_EQ(run.end.reason, solution::StopReason::done);
+    EXPECT_EQ(run.end.reason, model::StopReason::done);
     EXPECT_NEAR(run.output_mm(), 130.0, 1e-6);
     EXPECT_LE(run.end.factorizations, 25);
     EXPECT_GT(dense.steps.size(), 5 * run.steps.size());
@@ -144,7 +144,7 @@ TEST(BellowsUnderVacuum, EndsAtSelfContactOfTheFoldsOnEveryMesh) {
     const auto run = run_design("vacuum.yaml", {}), finer = run_design("vacuum.yaml", {"mesh.size=1 mm"});
     constexpr double apart_m = 1.5e-3, cell_m = 1e-3;  // the bends of the folds are 0.8 mm long
     for (const verification::Run* each : {&run, &finer}) {
-        EXPECT_EQ(each->end.reason, solution::StopReason::self_contact);
+        EXPECT_EQ(each->end.reason, model::StopReason::self_contact);
         EXPECT_NE(each->end.detail.find("the face cavity touches itself at x = "), std::string::npos)
             << each->end.detail;
         EXPECT_LT(min_gap_m(*each, apart_m), 0.05 * cell_m);
@@ -172,7 +172,7 @@ TEST(Plate, FollowsTheSnapThroughOfSingleCells) {
     // Longer steps miss the snap-throughs, and so do some shorter ones.
     const auto run = run_design("plate.yaml", with_accuracy("1.1e-3")),
                dense = run_design("plate.yaml", with_accuracy("1e-5"));
-    EXPECT_EQ(run.end.reason, solution::StopReason::limit_point);  // the maximum, with stretches beyond the limit
+    EXPECT_EQ(run.end.reason, model::StopReason::limit_point);  // the maximum, with stretches beyond the limit
     EXPECT_GT(dense.steps.size(), 3 * run.steps.size());
     ASSERT_GE(run.end.limit_points.size(), 2u);
     ASSERT_GE(dense.end.limit_points.size(), 2u);
@@ -190,7 +190,7 @@ TEST(Sphere, LoadAboveTheAsymptoteOfACompressibleLawIsAbandoned) {
         "sphere.yaml", {"geometry={inner_radius: 50 mm, outer_radius: 51 mm}", "mesh.size=2 mm", "path.until={}",
                         "material={law: yeoh, c1: 10 kPa, c2: 1 kPa, c3: 1 kPa, kappa: 4 MPa}",
                         "loads.cavity.pressure=60 kPa", "path.stretch_limit=3"});
-    EXPECT_EQ(run.end.reason, solution::StopReason::limit_point);
+    EXPECT_EQ(run.end.reason, model::StopReason::limit_point);
     EXPECT_NE(run.end.detail.find("the load tends to little more than at "), std::string::npos) << run.end.detail;
     const double asymptote_kPa = 12 * (1 / 50.5) * std::sqrt(1.0 * 4e3);
     EXPECT_LT(run.pressure_kPa(), asymptote_kPa);
@@ -220,7 +220,7 @@ TEST(Bellows, QuarterSolidAgreesWithTheAxisymmetricSection) {
 
 TEST(Sphere, CurveMatchesTheClosedFormOnBothSidesOfTheLimitPoint) {
     const auto run = run_design("sphere.yaml", {});
-    EXPECT_EQ(run.end.reason, solution::StopReason::done);
+    EXPECT_EQ(run.end.reason, model::StopReason::done);
     for (std::size_t i = 1; i < run.steps.size(); ++i) {
         const double l = std::cbrt(*run.steps[i].volume_m3 / *run.steps.front().volume_m3);
         EXPECT_NEAR(run.steps[i].pressure_Pa / neo_hookean_sphere_pressure_Pa(0.1644e6, l, 2), 1.0, 1e-3);

@@ -7,14 +7,14 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "assembly/system.hpp"
+#include "contact/contact.hpp"
 #include "design/design.hpp"
-#include "dynamics/motion.hpp"
+#include "fem/system.hpp"
 #include "geometry/build.hpp"
 #include "geometry/family.hpp"
 #include "post/curve.hpp"
 #include "post/interpolate.hpp"
-#include "surface/contact.hpp"
+#include "solver/motion.hpp"
 
 namespace soft::verification {
 namespace {
@@ -49,15 +49,15 @@ std::string leading_quantity(const model::Case& input) {
 }
 
 /// For one rank only.
-solver::ContactCheck contact_check(assembly::System& system) {
+solver::ContactCheck contact_check(fem::System& system) {
     if (system.input().path.contact == model::Contact::ignore) return {};
     // std::function requires a copyable target, but a finder cannot be copied.
-    const auto finder = std::make_shared<const surface::ContactFinder>(system.input());
+    const auto finder = std::make_shared<const contact::ContactFinder>(system.input());
     return [&system, finder](Vec x) -> std::optional<solver::ContactEvent> {
         const auto contact = finder->find(system.gather_fields(x).displacement_m);
         if (!contact) return std::nullopt;
-        return solver::ContactEvent{contact->text, contact->is_inverted ? solution::StopReason::inverted_element
-                                                                        : solution::StopReason::self_contact};
+        return solver::ContactEvent{contact->text, contact->is_inverted ? model::StopReason::inverted_element
+                                                                        : model::StopReason::self_contact};
     };
 }
 
@@ -74,16 +74,15 @@ Run run_design(const std::string& design, const std::vector<std::string>& sets, 
     const auto begin = std::chrono::steady_clock::now();
     Run run;
     run.model = read_case(design, sets);
-    assembly::System system(run.model, PETSC_COMM_WORLD);
-    const auto sink = [&](const solution::Step& step, Vec x) {
+    fem::System system(run.model, PETSC_COMM_WORLD);
+    const auto sink = [&](const model::Step& step, Vec x) {
         run.steps.push_back(step);
         run.displacement_m = system.gather_fields(x).displacement_m;
         if (energy == Energy::recorded) run.energy_J.push_back(system.stored_energy(x) / run.model.model_fraction);
     };
     const solver::Listeners listeners{.step = sink, .contact = contact_check(system)};
-    run.end =
-        run.model.dynamics ? dynamics::integrate_motion(system, listeners) : solver::follow_path(system, listeners);
-    if (run.end.reason == solution::StopReason::diverged)
+    run.end = run.model.dynamics ? solver::integrate_motion(system, listeners) : solver::follow_path(system, listeners);
+    if (run.end.reason == model::StopReason::diverged)
         throw std::runtime_error(design + ": the path diverged: " + run.end.detail);
     run.mesh = describe(run.model, system.dofs().total);
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "model/case.hpp"
-#include "solution/path.hpp"
+#include "model/path.hpp"
 
 namespace soft::verification {
 
 /// The converged steps of a path, its end, and the last converged state.
 struct Run {
     model::Case model;
-    std::vector<solution::Step> steps;
-    solution::PathEnd end;
+    std::vector<model::Step> steps;
+    model::PathEnd end;
     std::vector<double> displacement_m;  ///< last step, [point x 3]
     std::vector<double> energy_J;        ///< one per step, whole actuator; empty unless requested
     std::string mesh;                    ///< "32 quadrilateral9, 1234 unknowns"

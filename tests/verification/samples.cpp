@@ -78,7 +78,7 @@ Outcome compare(const std::string& problem, const Sample& sample) {
         table.lines.push_back({law.name, printed_number(100 * (l - 1)), printed_number(-run.pressure_kPa()),
                                printed_number(1e-3 * mu * (l * l - std::pow(l, -sample.compression))),
                                short_number(m.mean_kPa), short_number(m.max_kPa), short_number(m.mean_percent),
-                               short_number(m.max_percent), std::string(solution::name(run.end.reason))});
+                               short_number(m.max_percent), std::string(model::name(run.end.reason))});
     }
     return {{}, {table}};
 }

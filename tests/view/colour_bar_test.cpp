@@ -85,7 +85,7 @@ double width_of(const Text& text) { return 0.6 * 4 / 3 * text.size * static_cast
 TEST(ColourBar, LongNumbersAndLabelsStayInsideThePicture) {
     const Cube cube;
     PictureStyle look = cube.look;
-    for (const fields::QuantityInfo& info : fields::quantities())
+    for (const post::QuantityInfo& info : post::quantities())
         for (const double low : {0.994, -448.52, -123456.0, 1e12}) {
             look.quantity = info.quantity;
             const double unit = info.SI_per_unit, span = std::max(1e-3, 1e-4 * std::abs(low));

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <string>
 
-#include "../assembly/block_mesh.hpp"
 #include "../core/path_variable.hpp"
+#include "../fem/block_mesh.hpp"
 #include "view/picture.hpp"
 
 namespace soft::view::test {
@@ -14,14 +14,11 @@ namespace soft::view::test {
 struct Cube {
     model::Case model =
         block_case(mesh::CellType::hex8, model::Kinematics::solid, model::Formulation::displacement, {.n = 1});
-    fields::RegionPoints region_points = fields::make_region_points(model.mesh);
+    post::RegionPoints region_points = post::make_region_points(model.mesh);
     Skin skin = make_skin(model, region_points, {});
     Body body{skin, base_positions(skin, model, region_points, {})};
-    PictureStyle look{.quantity = fields::Quantity::stretch,
-                      .camera = {},
-                      .range = Range{1.0, 2.0},
-                      .width_px = 400,
-                      .height_px = 300};
+    PictureStyle look{
+        .quantity = post::Quantity::stretch, .camera = {}, .range = Range{1.0, 2.0}, .width_px = 400, .height_px = 300};
 
     /// Stretched to twice its length in x, with a uniform field value.
     [[nodiscard]] Shot pulled(double value, const std::string& title = "cube") const {

@@ -6,9 +6,9 @@
 #include <map>
 #include <numbers>
 
-#include "../assembly/block_mesh.hpp"
+#include "../fem/block_mesh.hpp"
 #include "core/error.hpp"
-#include "core/tensor.hpp"
+#include "math/tensor.hpp"
 #include "view/creases.hpp"
 
 namespace soft::view {
@@ -21,14 +21,14 @@ using std::numbers::pi;
 
 struct Sample {
     model::Case model;
-    fields::RegionPoints region_points;
+    post::RegionPoints region_points;
     Skin skin;
     std::vector<Point> positions;
 };
 
 Sample sample(model::Case model, const SkinOptions& options) {
     Sample made{std::move(model), {}, {}, {}};
-    made.region_points = fields::make_region_points(made.model.mesh);
+    made.region_points = post::make_region_points(made.model.mesh);
     made.skin = make_skin(made.model, made.region_points, options);
     made.positions = vertex_positions(made.skin, base_positions(made.skin, made.model, made.region_points, {}));
     return made;
@@ -169,11 +169,11 @@ TEST(Skin, APlaneSectionIsMirroredOnlyIfShownAsAWhole) {
 TEST(Skin, FollowsCurvedSecondOrderFacets) {
     // every base moves by the exact quadratic displacement, not by its chord
     const auto model = block(CellType::hex27, Kinematics::solid);
-    const auto region_points = fields::make_region_points(model.mesh);
+    const auto region_points = post::make_region_points(model.mesh);
     const Skin skin = make_skin(model, region_points, {.segments = 5});
     const auto bend = [](const Point& X) { return Point{0, 0.3 * X[0] * X[0], 0.1 * X[0] * X[1]}; };
     auto straight = block_case(CellType::hex27, Kinematics::solid, Formulation::displacement, {.n = 2, .shake = 0});
-    const auto straight_points = fields::make_region_points(straight.mesh);
+    const auto straight_points = post::make_region_points(straight.mesh);
     const Skin fine = make_skin(straight, straight_points, {.segments = 5});
     std::vector<double> u;
     for (const Point& X : straight.mesh.points)
@@ -188,7 +188,7 @@ TEST(Skin, FollowsCurvedSecondOrderFacets) {
 
 TEST(Skin, InterpolatesAFieldWithTheShapeFunctions) {
     const auto model = block(CellType::hex27, Kinematics::solid);
-    const auto region_points = fields::make_region_points(model.mesh);
+    const auto region_points = post::make_region_points(model.mesh);
     const Skin skin = make_skin(model, region_points, {});
     std::vector<double> nodal;
     for (const mesh::Index node : region_points.node)
@@ -232,7 +232,7 @@ TEST(Skin, TheSilhouetteOfABoxIsItsOutline) {
 
 TEST(Skin, OptionsOutOfRangeAreRefused) {
     const auto model = block(CellType::hex8, Kinematics::solid);
-    const auto region_points = fields::make_region_points(model.mesh);
+    const auto region_points = post::make_region_points(model.mesh);
     EXPECT_THROW(static_cast<void>(make_skin(model, region_points, {.segments = 0})), Error);
     EXPECT_THROW(static_cast<void>(make_skin(model, region_points, {.sectors = 2})), Error);
     EXPECT_THROW(static_cast<void>(make_skin(model, region_points, {.turn_rad = 7})), Error);

@@ -5,12 +5,12 @@
 #include <cstring>
 #include <pugixml.hpp>
 
-#include "../assembly/block_mesh.hpp"
+#include "../fem/block_mesh.hpp"
 
 namespace soft::view {
 namespace {
 
-using solution::NamedArray;
+using model::NamedArray;
 
 /// Independent decoder of RFC 4648 for doubles preceded by a byte count.
 std::vector<double> decoded(std::string_view text) {
@@ -38,7 +38,7 @@ std::vector<double> decoded(std::string_view text) {
 TEST(Vtu, ContainsTheGivenMeshAndArrays) {
     const auto model =
         block_case(mesh::CellType::hex27, model::Kinematics::solid, model::Formulation::displacement, {.n = 2});
-    const auto region_points = fields::make_region_points(model.mesh);
+    const auto region_points = post::make_region_points(model.mesh);
     NamedArray heights{"z <&> \"m\"", "m", "", 1, {}}, twice{"two", "1", "", 2, {}};
     for (const mesh::Index node : region_points.node) heights.values.push_back(model.mesh.point(node)[2] / 3);
     for (int c = 0; c < 8; ++c) twice.values.insert(twice.values.end(), {1.0 * c, -0.1 * c});

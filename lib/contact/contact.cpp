@@ -1,0 +1,306 @@
+#include "contact/contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <set>
+#include <stdexcept>
+#include <tuple>
+
+#include "contact/crossing.hpp"
+#include "contact/hinges.hpp"
+#include "contact/inverted_wall.hpp"
+#include "model/cavity_surface.hpp"
+#include "model/location.hpp"
+#include "surface/free_facets.hpp"
+
+namespace soft::contact {
+namespace {
+
+using mesh::Facet;
+using mesh::Point;
+
+enum class Kind { pair, plane, axis, wall };
+
+struct Found {
+    Kind kind;
+    Point location;
+    std::array<std::size_t, 2> facets;
+    bool operator<(const Found& other) const {
+        return std::tie(location[0], facets, kind) < std::tie(other.location[0], other.facets, other.kind);
+    }
+};
+
+/// Face names for messages. The wall of a cavity takes precedence over other faces, which are in alphabetical order.
+std::map<Facet, std::string> face_names(const model::Case& model) {
+    std::map<Facet, std::string> names;
+    for (const model::Cavity& cavity : model.cavities)
+        if (const auto wall = model.mesh.facet_sets.find(cavity.wall); wall != model.mesh.facet_sets.end())
+            for (const Facet& facet : wall->second) names.emplace(facet, cavity.wall);
+    for (const auto& [name, facets] : model.mesh.facet_sets)
+        for (const Facet& facet : facets) names.emplace(facet, name);
+    return names;
+}
+
+/// How far a facet extends beyond the plane where coordinate d is zero.
+struct Depth {
+    double depth_m = 0;
+    surface::FacetPoint xi{};
+};
+
+/// Starts from the deepest point of the subdivision and refines it by a pattern search on the curved facet. `side`: +1 or -1, the side
+/// of the plane on which the body lies.
+Depth deepest(const surface::FacetMap& map, const Division& division, std::size_t d, double side) {
+    const auto depth_at = [&](const surface::FacetPoint& xi) { return -side * map(xi).x[d]; };
+    Depth best{depth_at(division.xi.front()), division.xi.front()};
+    const auto try_point = [&](const surface::FacetPoint& xi) {
+        if (const double depth = depth_at(xi); depth > best.depth_m) best = {depth, xi};
+    };
+    for (const surface::FacetPoint& xi : division.xi) try_point(xi);
+    const mesh::Shape shape = mesh::topology(map.type).shape;
+    constexpr int halvings = 14;  // final step: 1e-5 of the facet; the error of the depth is of the order of its square
+    double step = 0.25;
+    for (int round = 0; round < halvings; ++round, step /= 2)
+        for (const surface::FacetPoint& move : {surface::FacetPoint{step, 0}, surface::FacetPoint{-step, 0},
+                                                surface::FacetPoint{0, step}, surface::FacetPoint{0, -step}})
+            if (const surface::FacetPoint next{best.xi[0] + move[0], best.xi[1] + move[1]};
+                surface::is_inside(shape, next, 0))
+                try_point(next);
+    return best;
+}
+
+}  // namespace
+
+class ContactFinder::Surface {
+public:
+    explicit Surface(const model::Case& model)
+        : mesh_(model.mesh),
+          kinematics_(model.kinematics),
+          mirrors_(surface::mirrors(model)),
+          free_(surface::free_facets(model)),
+          names_(face_names(model)),
+          facets_(mesh_, free_),
+          undeformed_(facets_.shape(mesh_.points)),
+          tolerance_m_(model::plane_tolerance * model::extent_m(mesh_)) {
+        for (std::size_t d = 0; d < 3; ++d) {
+            double sum = 0;
+            for (const Point& p : mesh_.points) sum += p[d];
+            sides_[d] = sum < 0 ? -1 : 1;
+        }
+        exclude_initial_contacts();
+    }
+
+    [[nodiscard]] std::vector<Point> current_positions(std::span<const double> displacement_m) const {
+        if (displacement_m.size() != 3 * mesh_.points.size())
+            throw std::logic_error("ContactFinder: the displacement and the mesh have different numbers of points");
+        std::vector<Point> positions = mesh_.points;
+        for (std::size_t n = 0; n < positions.size(); ++n)
+            for (std::size_t d = 0; d < 3; ++d) positions[n][d] += displacement_m[3 * n + d];
+        return positions;
+    }
+
+    [[nodiscard]] std::optional<Contact> find(const std::vector<Point>& positions) const {
+        std::optional<Found> best;
+        const auto keep = [&best](const Found& found) {
+            if (!best || found < *best) best = found;
+        };
+        const DividedShape now = facets_.shape(positions);
+        const std::vector<NormalCone> cones = normal_cones(now);
+        for (const auto& [i, j] : surface::overlapping_pairs(now.boxes)) {
+            const FacetPair pair{&facets_, static_cast<std::size_t>(i), static_cast<std::size_t>(j)};
+            if (pair.are_neighbours() && is_visible_from_one_side(cones[pair.first], cones[pair.second])) continue;
+            if (is_initial_contact(i, j) || has_rubber_between(pair)) continue;
+            const auto xi = find_crossing(pair, undeformed_, now);
+            if (xi && is_confirmed(pair, positions))
+                keep({kind_of(pair, positions), undeformed_location(pair.first, *xi), {pair.first, pair.second}});
+        }
+        for (const Hinge& hinge : hinges_)
+            if (is_closed(hinge, cones, positions)) keep(found_at(hinge));
+        for (std::size_t f = 0; f < facets_.size(); ++f)
+            for (std::size_t d = 0; d < 3; ++d)
+                if (mirrors_[d] && !initially_beyond_[d].contains(f))
+                    if (const Depth at = depth(f, d, positions);
+                        at.depth_m > tolerance_m_ && faces_plane(f, d, at.xi, positions))
+                        keep({kind_of(d), undeformed_location(f, at.xi), {f, f}});
+        return best ? std::optional(contact(*best)) : std::nullopt;
+    }
+
+private:
+    void exclude_initial_contacts() {
+        const std::vector<NormalCone> cones = normal_cones(undeformed_);
+        std::vector<surface::Box> grown = undeformed_.boxes;
+        for (surface::Box& box : grown)
+            for (std::size_t d = 0; d < 3; ++d) {
+                const double margin = coincidence_tolerance * (box.high[d] - box.low[d]) + tolerance_m_;
+                box.low[d] -= margin;
+                box.high[d] += margin;
+            }
+        for (const auto& [i, j] : surface::overlapping_pairs(grown)) {
+            const FacetPair pair{&facets_, static_cast<std::size_t>(i), static_cast<std::size_t>(j)};
+            if (pair.are_neighbours() && is_visible_from_one_side(cones[pair.first], cones[pair.second])) continue;
+            if (is_touching(pair, undeformed_)) initial_contacts_.insert({i, j});
+        }
+        hinges_ = hinges(mesh_, free_);
+        constexpr double closed_slit = 1e-6;  // [rad] below a full turn
+        std::erase_if(hinges_, [&](const Hinge& hinge) {
+            return filled_angle(mesh_, hinge, mesh_.points) > 2 * std::numbers::pi - closed_slit;
+        });
+        for (std::size_t f = 0; f < facets_.size(); ++f)
+            for (std::size_t d = 0; d < 3; ++d)
+                if (mirrors_[d] && depth(f, d, mesh_.points).depth_m > tolerance_m_) initially_beyond_[d].insert(f);
+    }
+
+    [[nodiscard]] std::vector<NormalCone> normal_cones(const DividedShape& shape) const {
+        std::vector<NormalCone> cones;
+        for (std::size_t f = 0; f < facets_.size(); ++f) cones.push_back(facets_.normals(shape, f));
+        return cones;
+    }
+
+    /// Whether the facets are sides of one cell, or of two cells that share a side while the facets share no node: then rubber, not air,
+    /// is between them. If such facets intersect, a cell is inverted, which det F <= 0 reports.
+    [[nodiscard]] bool has_rubber_between(const FacetPair& pair) const {
+        const mesh::Index a = facets_.facet(pair.first).cell, b = facets_.facet(pair.second).cell;
+        if (a == b) return true;
+        if (pair.are_neighbours()) return false;
+        const auto corners = [&](mesh::Index cell) {
+            return mesh_.cell_nodes(cell).first(
+                static_cast<std::size_t>(mesh::topology(mesh_.cell_type(cell)).vertex_count));
+        };
+        const auto theirs = corners(b);
+        return std::ranges::count_if(corners(a), [&](mesh::Index node) {
+                   return std::ranges::find(theirs, node) != theirs.end();
+               }) >= mesh_.dimension;
+    }
+
+    /// Whether the facets intersect in the fine subdivision too, which separates the two sides of a thin wall.
+    [[nodiscard]] bool is_confirmed(const FacetPair& pair, const std::vector<Point>& positions) const {
+        const std::array<Facet, 2> both{facets_.facet(pair.first), facets_.facet(pair.second)};
+        const DividedFacets fine{mesh_, both, Fineness::fine};
+        return find_crossing({&fine, 0, 1}, fine.shape(mesh_.points), fine.shape(positions)).has_value();
+    }
+
+    [[nodiscard]] Kind kind_of(const FacetPair& pair, const std::vector<Point>& positions) const {
+        const std::array<Facet, 2> both{facets_.facet(pair.first), facets_.facet(pair.second)};
+        return is_wall_inverted(mesh_, both, positions) ? Kind::wall : Kind::pair;
+    }
+
+    /// Whether air is between a facet and the plane that it crosses. If rubber is between them, a cell is inverted. For a facet that
+    /// starts at the plane, the normal is evaluated there, because it may reverse further along the facet.
+    [[nodiscard]] bool faces_plane(std::size_t f, std::size_t d, const surface::FacetPoint& deepest,
+                                   const std::vector<Point>& positions) const {
+        const auto distance = [&](const surface::FacetPoint& xi) {
+            return std::hypot(xi[0] - deepest[0], xi[1] - deepest[1]);
+        };
+        const surface::FacetMap before = surface::facet_map(mesh_, facets_.facet(f), mesh_.points);
+        std::optional<surface::FacetPoint> begin;
+        for (const surface::FacetPoint& xi : facets_.division(f).xi)
+            if (std::abs(before(xi).x[d]) <= tolerance_m_ && (!begin || distance(xi) < distance(*begin))) begin = xi;
+        const surface::FacetMap::Value at =
+            surface::facet_map(mesh_, facets_.facet(f), positions)(begin.value_or(deepest));
+        return sides_[d] * cross(at.t1, at.t2)[d] < 0;
+    }
+
+    [[nodiscard]] bool is_initial_contact(int i, int j) const { return initial_contacts_.contains({i, j}); }
+
+    /// Just past a full turn the walls face each other; for all other hinges the cells need not be evaluated.
+    [[nodiscard]] bool is_closed(const Hinge& hinge, const std::vector<NormalCone>& cones,
+                                 const std::vector<Point>& positions) const {
+        constexpr double facing = -0.5;
+        const auto &a = cones[static_cast<std::size_t>(hinge.facets[0])],
+                   &b = cones[static_cast<std::size_t>(hinge.facets[1])];
+        if (std::cos(std::min(std::acos(std::clamp(dot(a.axis, b.axis), -1.0, 1.0)) + a.angle + b.angle,
+                              std::numbers::pi)) > facing)
+            return false;
+        return filled_angle(mesh_, hinge, positions) > 2 * std::numbers::pi;
+    }
+
+    [[nodiscard]] Found found_at(const Hinge& hinge) const {
+        Point location{};
+        for (const mesh::Index end : hinge.vertices)
+            for (std::size_t d = 0; d < 3; ++d) location[d] += mesh_.point(end)[d] / 2;
+        return {Kind::pair,
+                location,
+                {static_cast<std::size_t>(hinge.facets[0]), static_cast<std::size_t>(hinge.facets[1])}};
+    }
+
+    /// Skips the search if the nodal positions exclude that the curved facet reaches the plane: a parabola through three values
+    /// exceeds their range by at most 1/8 of it, a second-order facet in two directions by less than half.
+    [[nodiscard]] Depth depth(std::size_t f, std::size_t d, std::span<const Point> positions) const {
+        surface::FacetMap map{facets_.type(f), {}};
+        double least = std::numeric_limits<double>::infinity(), largest = -least;
+        std::size_t a = 0;
+        for (const mesh::Index node : facets_.nodes(f)) {
+            map.nodes[a] = positions[static_cast<std::size_t>(node)];
+            const double height = sides_[d] * map.nodes[a++][d];
+            least = std::min(least, height);
+            largest = std::max(largest, height);
+        }
+        if (least > 0.5 * (largest - least)) return {};
+        return deepest(map, facets_.division(f), d, sides_[d]);
+    }
+
+    [[nodiscard]] Kind kind_of(std::size_t d) const {
+        return kinematics_ == model::Kinematics::axisymmetric && d == 1 ? Kind::axis : Kind::plane;
+    }
+
+    [[nodiscard]] Point undeformed_location(std::size_t f, const surface::FacetPoint& xi) const {
+        Point location = surface::facet_map(mesh_, facets_.facet(f), mesh_.points)(xi).x;
+        for (double& coordinate : location)
+            if (std::abs(coordinate) <= tolerance_m_) coordinate = 0;  // on a plane: do not print rounding errors
+        return location;
+    }
+
+    [[nodiscard]] Contact contact(const Found& found) const {
+        Contact result{found.location,
+                       {facets_.facet(found.facets[0]), facets_.facet(found.facets[1])},
+                       found.kind == Kind::wall,
+                       {}};
+        const auto name = [&](int which) {
+            const auto at = names_.find(result.facets[static_cast<std::size_t>(which)]);
+            return at == names_.end() ? std::string{} : at->second;
+        };
+        const std::string first = name(0), second = name(1);
+        const std::string face = first.empty() ? "an unnamed face" : "the face " + first;
+        const std::string other = second.empty() ? "an unnamed face" : "the face " + second;
+        if (found.kind == Kind::axis)
+            result.text = face + " touches the axis";
+        else if (found.kind == Kind::plane)
+            result.text = face + " touches its mirror image";
+        else if (found.kind == Kind::wall)
+            result.text = "the wall between " + face + " and " + other + " is inverted";
+        else if (first == second)
+            result.text = face + " touches itself";
+        else if (first.empty() || second.empty())
+            result.text = face + " and " + other + " touch";
+        else
+            result.text = "the faces " + first + " and " + second + " touch";
+        result.text += " at " + model::location_text(kinematics_, found.location) + " of the undeformed part";
+        return result;
+    }
+
+    mesh::Mesh mesh_;
+    model::Kinematics kinematics_;
+    std::array<bool, 3> mirrors_;
+    std::vector<Facet> free_;
+    std::map<Facet, std::string> names_;
+    DividedFacets facets_;
+    DividedShape undeformed_;
+    double tolerance_m_;
+    std::array<double, 3> sides_{};                  ///< side of each mirror plane on which the body lies, +1 or -1
+    std::set<std::array<int, 2>> initial_contacts_;  ///< pairs of facets that touch in the undeformed body
+    std::array<std::set<std::size_t>, 3> initially_beyond_;  ///< facets beyond each mirror plane in the undeformed body
+    std::vector<Hinge> hinges_;
+};
+
+ContactFinder::ContactFinder(const model::Case& model) : surface_(std::make_unique<Surface>(model)) {}
+ContactFinder::~ContactFinder() = default;
+ContactFinder::ContactFinder(ContactFinder&&) noexcept = default;
+ContactFinder& ContactFinder::operator=(ContactFinder&&) noexcept = default;
+
+std::optional<Contact> ContactFinder::find(std::span<const double> displacement_m) const {
+    return surface_->find(surface_->current_positions(displacement_m));
+}
+
+}  // namespace soft::contact

@@ -1,0 +1,139 @@
+#include "contact/divided.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mesh/shape.hpp"
+
+namespace soft::contact {
+namespace {
+
+using mesh::Point;
+
+constexpr int max_parts = 4;
+constexpr int fine_parts_of_a_line = 64, fine_parts_of_a_side = 16;
+
+void divide_line(int parts, Division& division) {
+    for (int i = 0; i <= parts; ++i) division.xi.push_back({-1 + 2.0 * i / parts, 0});
+    for (int i = 0; i < parts; ++i) division.pieces.push_back({i, i + 1, -1});
+}
+
+void divide_quadrilateral(int parts, Division& division) {
+    for (int j = 0; j <= parts; ++j)
+        for (int i = 0; i <= parts; ++i) division.xi.push_back({-1 + 2.0 * i / parts, -1 + 2.0 * j / parts});
+    const auto at = [parts](int i, int j) { return j * (parts + 1) + i; };
+    for (int j = 0; j < parts; ++j)
+        for (int i = 0; i < parts; ++i) {
+            division.pieces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+            division.pieces.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+        }
+}
+
+void divide_triangle(int parts, Division& division) {
+    const auto at = [parts](int i, int j) {
+        return j * (parts + 1) - j * (j - 1) / 2 + i;
+    };  // row j has parts + 1 - j points
+    for (int j = 0; j <= parts; ++j)
+        for (int i = 0; i + j <= parts; ++i)
+            division.xi.push_back({static_cast<double>(i) / parts, static_cast<double>(j) / parts});
+    for (int j = 0; j < parts; ++j)
+        for (int i = 0; i + j < parts; ++i) {
+            division.pieces.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
+            if (i + j + 1 < parts) division.pieces.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+        }
+}
+
+/// Normal out of the cell, with the length of the segment or twice the area of the triangle.
+Vector3 normal(const std::array<Point, 3>& c, std::size_t corners) {
+    const Vector3 first = along(c[1], -1, c[0]);
+    return corners == 2 ? Vector3{first[1], -first[0], 0} : cross(first, along(c[2], -1, c[0]));
+}
+
+}  // namespace
+
+Division divide(mesh::CellType facet, Fineness fineness) {
+    const mesh::CellTopology& cell = mesh::topology(facet);
+    const bool straight = cell.order == 1 && cell.shape != mesh::Shape::quadrilateral;
+    const int fine = cell.dimension == 1 ? fine_parts_of_a_line : fine_parts_of_a_side;
+    const int parts = straight ? 1 : fineness == Fineness::fine ? fine : max_parts;
+    Division division;
+    division.corners = cell.dimension == 1 ? 2 : 3;
+    if (cell.shape == mesh::Shape::line) divide_line(parts, division);
+    if (cell.shape == mesh::Shape::triangle) divide_triangle(parts, division);
+    if (cell.shape == mesh::Shape::quadrilateral) divide_quadrilateral(parts, division);
+    for (const surface::FacetPoint& xi : division.xi)
+        for (const mesh::ShapeValue& shape : mesh::shape_values(facet, {xi[0], xi[1], 0}))
+            division.N.push_back(shape.value);
+    return division;
+}
+
+DividedFacets::DividedFacets(const mesh::Mesh& mesh, std::span<const mesh::Facet> facets, Fineness fineness) {
+    std::size_t points = 0;
+    for (const mesh::Facet& facet : facets) {
+        const mesh::CellType type = mesh::facet_type(mesh, facet);
+        const auto found = divisions_.find(type);
+        const Division& division =
+            found != divisions_.end() ? found->second : divisions_.emplace(type, divide(type, fineness)).first->second;
+        Entry entry{facet, type, {}, &division, points};
+        const std::vector<mesh::Index> nodes = mesh::facet_nodes(mesh, facet);
+        std::copy(nodes.begin(), nodes.end(), entry.nodes.begin());
+        facets_.push_back(entry);
+        points += division.xi.size();
+    }
+}
+
+DividedShape DividedFacets::shape(std::span<const Point> positions) const {
+    DividedShape result;
+    for (std::size_t f = 0; f < facets_.size(); ++f) {
+        const auto own = nodes(f);
+        const double* N = facets_[f].division->N.data();
+        for (std::size_t p = 0; p < facets_[f].division->xi.size(); ++p, N += own.size()) {
+            Point x{};
+            for (std::size_t a = 0; a < own.size(); ++a)
+                for (std::size_t d = 0; d < 3; ++d) x[d] += N[a] * positions[static_cast<std::size_t>(own[a])][d];
+            result.points.push_back(x);
+        }
+    }
+    for (std::size_t f = 0; f < facets_.size(); ++f) result.boxes.push_back(box_of(points(result, f)));
+    return result;
+}
+
+NormalCone DividedFacets::normals(const DividedShape& shape, std::size_t f) const {
+    const Division& how = division(f);
+    const auto at = points(shape, f);
+    NormalCone cone;
+    std::array<Vector3, 2 * max_parts * max_parts> units;
+    std::size_t count = 0;
+    for (const auto& piece : how.pieces) {
+        Vector3 n = normal(piece_corners(at, piece), how.corners);
+        const double length = norm(n);
+        if (!(length > 0)) continue;  // collapsed
+        cone.axis = along(cone.axis, 1, n);
+        units[count++] = {n[0] / length, n[1] / length, n[2] / length};
+    }
+    const double length = norm(cone.axis);
+    if (!(length > 0)) return {{}, std::numbers::pi};
+    for (double& component : cone.axis) component /= length;
+    double cosine = 1;
+    for (std::size_t i = 0; i < count; ++i) cosine = std::min(cosine, dot(units[i], cone.axis));
+    cone.angle = std::acos(std::clamp(cosine, -1.0, 1.0));
+    return cone;
+}
+
+std::array<Point, 3> piece_corners(std::span<const Point> points, const std::array<int, 3>& piece) {
+    const auto at = [&](int i) { return i < 0 ? Point{} : points[static_cast<std::size_t>(i)]; };
+    return {at(piece[0]), at(piece[1]), at(piece[2])};
+}
+
+surface::Box box_of(std::span<const Point> points) {
+    surface::Box box{points[0], points[0]};
+    for (const Point& p : points)
+        for (std::size_t d = 0; d < 3; ++d) {
+            box.low[d] = std::min(box.low[d], p[d]);
+            box.high[d] = std::max(box.high[d], p[d]);
+        }
+    return box;
+}
+
+}  // namespace soft::contact

@@ -1,0 +1,16 @@
+#pragma once
+/// Distinguishes inverted walls from contact: inverted cells also make the surface intersect itself, but no air is between the two
+/// sides. Tested by contact/contact_test and surface/no_contact_test.
+#include <array>
+#include <span>
+
+#include "mesh/mesh.hpp"
+
+namespace soft::contact {
+
+/// For two facets that intersect at `positions` (one per mesh point): true if they are the two sides of one wall (in the undeformed body
+/// each lies behind the other and they face opposite ways) and det F <= 0 at a node of an adjacent cell.
+[[nodiscard]] bool is_wall_inverted(const mesh::Mesh& mesh, const std::array<mesh::Facet, 2>& facets,
+                                    std::span<const mesh::Point> positions);
+
+}  // namespace soft::contact

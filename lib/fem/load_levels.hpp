@@ -1,0 +1,23 @@
+#pragma once
+/// Load levels: the factors that multiply a case's loads. One entry per load, in the order of the case.
+/// Tested by fem/system_test.
+#include <vector>
+
+#include "model/case.hpp"
+
+namespace soft::fem {
+
+struct LoadLevels {
+    std::vector<double> pressures_Pa;                     ///< gauge
+    std::vector<double> tractions, body_forces, motions;  ///< 1: as the case states them
+};
+
+[[nodiscard]] LoadLevels no_loads(const model::Case& input);
+
+/// Sum over all loads of a x b: the directional derivative from a derivative with respect to the levels.
+[[nodiscard]] double product(const LoadLevels& a, const LoadLevels& b);
+
+/// levels + share x direction
+[[nodiscard]] LoadLevels moved(const LoadLevels& levels, double share, const LoadLevels& direction);
+
+}  // namespace soft::fem

@@ -1,0 +1,121 @@
+#include "fem/pattern.hpp"
+
+#include <algorithm>
+
+namespace soft::fem {
+
+namespace {
+
+using mesh::Index;
+
+/// The cells of each of this rank's unknowns.
+struct CellsOfRows {
+    std::vector<std::size_t> begin;  // of each row, and one past the last
+    std::vector<Index> cells;
+};
+
+/// Calls visit(cell, its unknowns) for every cell of the mesh.
+template <class Visit>
+void for_each_cell(const mesh::Mesh& mesh, const DofMap& map, std::span<const fem::ReferenceCell> references,
+                   Visit&& visit) {
+    std::vector<PetscInt> dofs;
+    for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+        map.cell_dofs(mesh, cell, reference_of(references, mesh.cell_type(cell)), dofs);
+        visit(cell, dofs);
+    }
+}
+
+CellsOfRows cells_of_rows(const mesh::Mesh& mesh, const DofMap& map, std::span<const fem::ReferenceCell> references) {
+    CellsOfRows rows;
+    rows.begin.assign(static_cast<std::size_t>(map.end - map.begin) + 2, 0);
+    const auto for_each_own = [&](auto&& visit) {
+        for_each_cell(mesh, map, references, [&](Index cell, const std::vector<PetscInt>& dofs) {
+            for (const PetscInt dof : dofs)
+                if (dof >= map.begin && dof < map.end) visit(static_cast<std::size_t>(dof - map.begin), cell);
+        });
+    };
+    for_each_own([&](std::size_t row, Index) { ++rows.begin[row + 2]; });
+    for (std::size_t r = 2; r < rows.begin.size(); ++r) rows.begin[r] += rows.begin[r - 1];
+    rows.cells.resize(rows.begin.back());
+    for_each_own([&](std::size_t row, Index cell) { rows.cells[rows.begin[row + 1]++] = cell; });
+    rows.begin.pop_back();
+    return rows;
+}
+
+/// The columns of this rank's rows, ascending. Neighbouring rows mostly have the same cells (the components of a node): their
+/// columns are computed and stored once.
+struct Columns {
+    std::vector<std::size_t> set_of;    // [row]
+    std::vector<std::size_t> begin{0};  // [set], and one past the last
+    std::vector<PetscInt> columns;
+
+    [[nodiscard]] std::span<const PetscInt> of(std::size_t row) const {
+        return {columns.data() + begin[set_of[row]], columns.data() + begin[set_of[row] + 1]};
+    }
+};
+
+Columns columns_of(const mesh::Mesh& mesh, const DofMap& map, std::span<const fem::ReferenceCell> references) {
+    const CellsOfRows rows = cells_of_rows(mesh, map, references);
+    Columns found;
+    std::vector<PetscInt> dofs;
+    std::vector<char> met(static_cast<std::size_t>(map.total), 0);
+    std::span<const Index> before;
+    for (std::size_t row = 0; row + 1 < rows.begin.size(); ++row) {
+        const std::span<const Index> cells(&rows.cells[rows.begin[row]], rows.begin[row + 1] - rows.begin[row]);
+        if (row == 0 || !std::ranges::equal(cells, before)) {
+            for (const Index cell : cells) {
+                map.cell_dofs(mesh, cell, reference_of(references, mesh.cell_type(cell)), dofs);
+                for (const PetscInt dof : dofs)
+                    if (dof >= 0 && met[static_cast<std::size_t>(dof)] == 0) {
+                        met[static_cast<std::size_t>(dof)] = 1;
+                        found.columns.push_back(dof);
+                    }
+            }
+            const auto own = found.columns.begin() + static_cast<std::ptrdiff_t>(found.begin.back());
+            for (auto dof = own; dof != found.columns.end(); ++dof) met[static_cast<std::size_t>(*dof)] = 0;
+            std::sort(own, found.columns.end());
+            found.begin.push_back(found.columns.size());
+            before = cells;
+        }
+        found.set_of.push_back(found.begin.size() - 2);
+    }
+    return found;
+}
+
+}  // namespace
+
+linalg::Matrix make_zero_matrix(const mesh::Mesh& mesh, const DofMap& map,
+                                std::span<const fem::ReferenceCell> references, MPI_Comm comm) {
+    const Columns found = columns_of(mesh, map, references);
+    const PetscInt own = map.end - map.begin;
+    std::vector<PetscInt> here(static_cast<std::size_t>(own)), elsewhere(here.size());
+    for (std::size_t row = 0; row < here.size(); ++row) {
+        const auto columns = found.of(row);
+        const auto first = std::ranges::lower_bound(columns, map.begin),
+                   last = std::ranges::lower_bound(columns, map.end);
+        here[row] = static_cast<PetscInt>(last - first);
+        elsewhere[row] = static_cast<PetscInt>(columns.size()) - here[row];
+    }
+    linalg::Matrix K;
+    SOFT_PETSC(MatCreate(comm, K.out()));
+    SOFT_PETSC(MatSetType(K, MATAIJ));
+    SOFT_PETSC(MatSetSizes(K, own, own, map.total, map.total));
+    SOFT_PETSC(MatSeqAIJSetPreallocation(K, 0, here.data()));
+    SOFT_PETSC(MatMPIAIJSetPreallocation(K, 0, here.data(), 0, elsewhere.data()));
+    SOFT_PETSC(MatSetOption(K, MAT_SORTED_FULL, PETSC_TRUE));  // whole rows: no search within a row on one rank
+    std::vector<PetscScalar> zeros;
+    for (std::size_t row = 0; row < here.size(); ++row) {
+        const auto columns = found.of(row);
+        zeros.resize(std::max(zeros.size(), columns.size()), 0.0);
+        const PetscInt number = map.begin + static_cast<PetscInt>(row);
+        SOFT_PETSC(MatSetValues(K, 1, &number, static_cast<PetscInt>(columns.size()), columns.data(), zeros.data(),
+                                INSERT_VALUES));
+    }
+    SOFT_PETSC(MatAssemblyBegin(K, MAT_FINAL_ASSEMBLY));
+    SOFT_PETSC(MatAssemblyEnd(K, MAT_FINAL_ASSEMBLY));
+    SOFT_PETSC(MatSetOption(K, MAT_SORTED_FULL, PETSC_FALSE));
+    SOFT_PETSC(MatSetOption(K, MAT_NEW_NONZERO_LOCATION_ERR, PETSC_TRUE));
+    return K;
+}
+
+}  // namespace soft::fem

@@ -1,0 +1,260 @@
+#include "solver/equations.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace soft::solver {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& key, const std::string& problem, const std::string& remedy) {
+    throw Error(ExitCode::bad_input, key, problem, remedy);
+}
+
+}  // namespace
+
+const model::Dynamics& dynamics_of(const model::Case& input) {
+    if (!input.dynamics) refuse("dynamics", "the case is not dynamic", "set dynamics.duration");
+    if (!(input.dynamics->duration_s > 0.0))
+        refuse("dynamics.duration", "the duration is not positive", "set a time above zero, for example 0.1 s");
+    return *input.dynamics;
+}
+
+MotionState copy_of(const MotionState& state) {
+    MotionState copy;
+    copy.time_s = state.time_s;
+    copy.masses_kg = state.masses_kg;
+    for (const auto member : {&MotionState::x, &MotionState::v, &MotionState::a, &MotionState::load_force}) {
+        copy.*member = linalg::duplicate(state.*member);
+        linalg::copy(state.*member, copy.*member);
+    }
+    return copy;
+}
+
+void fill_with_waves(Vec out) {
+    PetscInt begin = 0, end = 0;
+    SOFT_PETSC(VecGetOwnershipRange(out, &begin, &end));
+    for (PetscInt i = begin; i < end; ++i)
+        SOFT_PETSC(VecSetValue(out, i, std::sin(1.0 + 12.9898 * static_cast<double>(i)), INSERT_VALUES));
+    SOFT_PETSC(VecAssemblyBegin(out));
+    SOFT_PETSC(VecAssemblyEnd(out));
+}
+
+MotionEquations::MotionEquations(fem::System& system, MassKind kind)
+    : system_(system),
+      input_(system.input()),
+      dynamics_(dynamics_of(input_)),
+      mask_(fem::displacement_mask(system)),
+      R_(system.make_vector()),
+      load_force_(system.make_vector()),
+      scratch_(system.make_vector()) {
+    check_stage();
+    if (kind == MassKind::lumped && system.dofs().pressures > 0)
+        refuse("dynamics.integrator",
+               "explicit integrators do not support cells with pressure unknowns, which have no mass",
+               "use formulation: f-bar or displacement with a bulk modulus, or an implicit integrator");
+    const auto& supplies = input_.path.stages[0].supplies;
+    for (std::size_t load = 0; load < input_.loads.size(); ++load) {
+        const auto& line = input_.loads[load].line;
+        if (!line) continue;
+        if (!system.encloses_volume(load) || !(line->resistance_Pa_s_m3 > 0.0))
+            refuse("loads." + input_.loads[load].name, "a supply line needs a cavity and a resistance above zero",
+                   "set line.resistance, or remove the line");
+        lines_.push_back({load, input_.loads[load].gas, supplies[load].value, line->resistance_Pa_s_m3});
+        line_forces_.push_back(system.make_vector());
+    }
+    if (kind == MassKind::lumped)
+        lumped_ = fem::lumped_mass(system);
+    else
+        M_ = fem::consistent_mass(system);
+    if (dynamics_.stiffness_damping_s != 0.0) make_damping();
+}
+
+void MotionEquations::check_stage() const {
+    if (input_.path.stages.size() != 1)
+        refuse("path", "a dynamic case has a single stage", "remove path.stages or dynamics");
+    const auto& stage = input_.path.stages[0];
+    for (std::size_t load = 0; load < input_.loads.size(); ++load)
+        if (stage.supplies.at(load).what != model::Prescription::pressure)
+            refuse("loads." + input_.loads[load].name, "a dynamic case can prescribe only pressures",
+                   "set a pressure with a time_function, or a supply line of the cavity");
+    for (const double level : stage.motions)
+        if (level != 0.0) refuse("loads", "a dynamic case cannot prescribe changing displacements", "use forces");
+}
+
+/// Removes the rows and columns of pressure unknowns: see the header.
+void MotionEquations::make_damping() {
+    K0_ = system_.make_matrix();
+    const linalg::Vector undeformed = system_.make_vector();
+    (void)system_.evaluate(undeformed, fem::no_loads(input_), R_, K0_);
+    std::vector<PetscInt> pressures;
+    const PetscScalar* has_mass = nullptr;
+    SOFT_PETSC(VecGetArrayRead(mask_, &has_mass));
+    for (PetscInt i = 0; i < system_.dofs().end - system_.dofs().begin; ++i)
+        if (has_mass[i] == 0.0) pressures.push_back(system_.dofs().begin + i);
+    SOFT_PETSC(VecRestoreArrayRead(mask_, &has_mass));
+    SOFT_PETSC(MatSetOption(K0_, MAT_KEEP_NONZERO_PATTERN, PETSC_TRUE));
+    SOFT_PETSC(
+        MatZeroRowsColumns(K0_, static_cast<PetscInt>(pressures.size()), pressures.data(), 0.0, nullptr, nullptr));
+}
+
+MotionState MotionEquations::rest() const {
+    MotionState state{0.0, system_.make_vector(), system_.make_vector(), system_.make_vector(), system_.make_vector(),
+                      {}};
+    for (const auto& line : lines_)
+        state.masses_kg.push_back(solver::gas_mass_kg(line.gas, system_.load_volume(line.load, state.x, nullptr), 0.0));
+    return state;
+}
+
+template <class Share>
+fem::LoadLevels MotionEquations::shared_levels(Share&& share) const {
+    const auto& stage = input_.path.stages[0];
+    fem::LoadLevels levels = fem::no_loads(input_);
+    for (std::size_t i = 0; i < input_.loads.size(); ++i)
+        levels.pressures_Pa[i] = stage.supplies[i].value * share(input_.loads[i].time_function);
+    for (std::size_t i = 0; i < input_.tractions.size(); ++i)
+        levels.tractions[i] = stage.tractions.at(i) * share(input_.tractions[i].time_function);
+    for (std::size_t i = 0; i < input_.body_forces.size(); ++i)
+        levels.body_forces[i] = stage.body_forces.at(i) * share(input_.body_forces[i].time_function);
+    return levels;
+}
+
+fem::LoadLevels MotionEquations::levels(double time_s, std::span<const double> line_pressures_Pa) const {
+    fem::LoadLevels levels = shared_levels([&](const model::TimeFunction& time_function) {
+        return share_at(time_function, dynamics_.duration_s, time_s);
+    });
+    for (std::size_t k = 0; k < lines_.size(); ++k) levels.pressures_Pa[lines_[k].load] = line_pressures_Pa[k];
+    return levels;
+}
+
+fem::LoadLevels MotionEquations::rates(double time_s, std::span<const double> line_rates) const {
+    fem::LoadLevels rates = shared_levels([&](const model::TimeFunction& time_function) {
+        return share_rate(time_function, dynamics_.duration_s, time_s);
+    });
+    for (std::size_t k = 0; k < lines_.size(); ++k) rates.pressures_Pa[lines_[k].load] = line_rates[k];
+    return rates;
+}
+
+fem::LoadLevels MotionEquations::full_levels() const {
+    return shared_levels([](const model::TimeFunction&) { return 1.0; });
+}
+
+std::vector<double> MotionEquations::kink_times() const {
+    std::vector<double> times;
+    (void)shared_levels([&](const model::TimeFunction& time_function) {
+        const auto more = kinks(time_function, dynamics_.duration_s);
+        times.insert(times.end(), more.begin(), more.end());
+        return 0.0;
+    });
+    std::ranges::sort(times);
+    const auto repeated = std::ranges::unique(times);
+    times.erase(repeated.begin(), repeated.end());
+    return times;
+}
+
+double MotionEquations::shortest_change_s() const {
+    double shortest = dynamics_.duration_s;
+    (void)shared_levels([&](const model::TimeFunction& time_function) {
+        shortest = std::min(shortest, solver::shortest_change_s(time_function, dynamics_.duration_s));
+        return 0.0;
+    });
+    return shortest;
+}
+
+double MotionEquations::line_volume(std::size_t k, Vec x, Vec gradient) {
+    return system_.load_volume(lines_.at(k).load, x, gradient);
+}
+
+/// dP/dV = -n (P + a) / (V + D), dP/dm = n (P + a) / m of the polytropic gas.
+MotionEquations::GasPressure MotionEquations::gas_pressure(std::size_t k, double volume_m3, double mass_kg) const {
+    const model::Gas& gas = lines_.at(k).gas;
+    const double value = solver::gas_pressure_Pa(gas, volume_m3, mass_kg),
+                 absolute = gas.exponent * (value + gas.ambient_Pa);
+    return {value, -absolute / (volume_m3 + gas.dead_volume_m3), absolute / mass_kg};
+}
+
+std::vector<double> MotionEquations::line_pressures(Vec x, std::span<const double> masses_kg) {
+    std::vector<double> pressures;
+    for (std::size_t k = 0; k < lines_.size(); ++k)
+        pressures.push_back(gas_pressure(k, line_volume(k, x, nullptr), masses_kg[k]).value_Pa);
+    return pressures;
+}
+
+double MotionEquations::conductance(std::size_t k) const {
+    return lines_.at(k).gas.ambient_density_kg_m3 / lines_.at(k).resistance_Pa_s_m3;
+}
+
+double MotionEquations::mass_flow(std::size_t k, double time_s, double pressure_Pa) const {
+    const Line& line = lines_.at(k);
+    const double share = share_at(input_.loads[line.load].time_function, dynamics_.duration_s, time_s);
+    return conductance(k) * (share * line.source_Pa - pressure_Pa);
+}
+
+std::vector<double> MotionEquations::mass_flows(double time_s, std::span<const double> pressures_Pa) const {
+    std::vector<double> flows;
+    for (std::size_t k = 0; k < lines_.size(); ++k) flows.push_back(mass_flow(k, time_s, pressures_Pa[k]));
+    return flows;
+}
+
+std::vector<double> MotionEquations::line_rates(const MotionState& state) {
+    std::vector<double> rates;
+    for (std::size_t k = 0; k < lines_.size(); ++k) {
+        const double volume = line_volume(k, state.x, scratch_), growth = linalg::dot(scratch_, state.v);
+        const auto gas = gas_pressure(k, volume, state.masses_kg[k]);
+        rates.push_back(gas.by_volume * growth + gas.by_mass * mass_flow(k, state.time_s, gas.value_Pa));
+    }
+    return rates;
+}
+
+fem::Evaluation MotionEquations::evaluate(Vec x, const fem::LoadLevels& levels, Mat K) {
+    std::vector<fem::LoadColumn> columns{{levels, load_force_}};
+    for (std::size_t k = 0; k < lines_.size() && K != nullptr; ++k) {
+        fem::LoadLevels unit = fem::no_loads(input_);
+        unit.pressures_Pa[lines_[k].load] = 1.0;
+        columns.push_back({std::move(unit), line_forces_[k]});
+    }
+    return system_.evaluate(x, levels, R_, K, columns);
+}
+
+void MotionEquations::add_inertia(Vec out, double factor, Vec a) const {
+    if (M_.get() != nullptr)
+        SOFT_PETSC(MatMult(M_, a, scratch_));
+    else
+        SOFT_PETSC(VecPointwiseMult(scratch_, lumped_, a));
+    linalg::add(out, factor, scratch_);
+}
+
+void MotionEquations::add_damping(Vec out, double factor, Vec v) const {
+    if (dynamics_.mass_damping_1_s != 0.0) add_inertia(out, factor * dynamics_.mass_damping_1_s, v);
+    if (K0_.get() == nullptr) return;
+    SOFT_PETSC(MatMult(K0_, v, scratch_));
+    linalg::add(out, factor * dynamics_.stiffness_damping_s, scratch_);
+}
+
+void MotionEquations::add_matrices(Mat K, double by_velocity, double by_acceleration) const {
+    SOFT_PETSC(MatAXPY(K, by_acceleration + by_velocity * dynamics_.mass_damping_1_s, M_, SAME_NONZERO_PATTERN));
+    if (K0_.get() != nullptr)
+        SOFT_PETSC(MatAXPY(K, by_velocity * dynamics_.stiffness_damping_s, K0_, SAME_NONZERO_PATTERN));
+}
+
+double MotionEquations::kinetic_energy(Vec v) const {
+    const linalg::Vector momentum = linalg::duplicate(v);
+    add_inertia(momentum, 1.0, v);
+    return 0.5 * linalg::dot(momentum, v);
+}
+
+double MotionEquations::damping_power(Vec v) const {
+    if (!has_damping()) return 0.0;
+    const linalg::Vector force = linalg::duplicate(v);
+    add_damping(force, 1.0, v);
+    return linalg::dot(force, v);
+}
+
+double MotionEquations::displacement_norm(Vec x) const {
+    SOFT_PETSC(VecPointwiseMult(scratch_, mask_, x));
+    return linalg::norm(scratch_);
+}
+
+}  // namespace soft::solver

@@ -1,0 +1,71 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/text.hpp"
+#include "solver/motion_follower.hpp"
+
+namespace soft::solver {
+
+namespace {
+
+linalg::Vector duplicate_of(Vec from) {
+    linalg::Vector copy = linalg::duplicate(from);
+    linalg::copy(from, copy);
+    return copy;
+}
+
+}  // namespace
+
+/// Trapezoidal rule for the work of the forces along the step.
+void MotionFollower::integrate_energies(const MotionState& from, const MotionState& to) {
+    linalg::Vector change = linalg::duplicate(to.x), force = linalg::duplicate(to.x);
+    SOFT_PETSC(VecWAXPY(change, -1.0, from.x, to.x));
+    SOFT_PETSC(VecPointwiseMult(change, equations_.mask(), change));
+    SOFT_PETSC(VecWAXPY(force, 1.0, from.load_force, to.load_force));
+    load_work_J_ += 0.5 * linalg::dot(force, change);
+    max_work_J_ = std::max(max_work_J_, std::abs(load_work_J_));
+    if (!equations_.has_damping()) return;
+    SOFT_PETSC(VecZeroEntries(force));
+    equations_.add_damping(force, 0.5, from.v);
+    equations_.add_damping(force, 0.5, to.v);
+    damping_work_J_ += linalg::dot(force, change);
+}
+
+solver::PathPoint MotionFollower::measure() {
+    solver::PathTangent velocity;
+    velocity.x = duplicate_of(last_.v);
+    velocity.load_factor = 1.0 / dynamics_.duration_s;
+    solver::PathPoint point{{duplicate_of(last_.x), last_.time_s / dynamics_.duration_s, {}}, std::move(velocity)};
+    const auto levels = equations_.levels(last_.time_s, equations_.line_pressures(last_.x, last_.masses_kg));
+    const auto rates = equations_.rates(last_.time_s, equations_.line_rates(last_));
+    solver::read_values(system_, levels, rates, last_row_ ? &*last_row_ : nullptr, point);
+    return point;
+}
+
+void MotionFollower::append() {
+    solver::PathPoint point = measure();
+    model::Step step = solver::step_of(system_, point, 1.0);
+    step.newton_iterations = iterations_since_row_;
+    const int factorizations = stage_ ? stage_->factorizations() : 0;
+    step.factorizations = factorizations - factorizations_at_row_;
+    const double whole = 1.0 / input_.model_fraction;
+    const double stored_J = solver::read_stretches(system_, last_.x, step);
+    step.motion = {last_.time_s, whole * equations_.kinetic_energy(last_.v), whole * stored_J, whole * load_work_J_,
+                   whole * damping_work_J_};
+    if (auto problem = check_plausibility(step)) return finish(model::StopReason::diverged, std::move(*problem));
+    iterations_since_row_ = 0;
+    factorizations_at_row_ = factorizations;
+    log("row " + std::to_string(rows_) + ": " + short_text(last_.time_s) + " s, " + solver::state_text(point, input_) +
+        ", step " + short_text(step_s_) + " s, " + core::counted(step.newton_iterations, "iteration"));
+    ++rows_;
+    listeners_.step(step, last_.x);
+    if (listeners_.contact && input_.path.contact == model::Contact::stop)
+        if (const auto touching = listeners_.contact(last_.x))
+            finish(touching->reason,
+                   touching->end_at(short_text(last_.time_s) + " s, " + solver::state_text(point, input_)));
+    last_row_ = std::move(point);
+    next_row_s_ += row_interval_s_;
+    while (next_row_s_ <= last_.time_s) next_row_s_ += row_interval_s_;
+}
+
+}  // namespace soft::solver

@@ -1,0 +1,28 @@
+# Fetches the pinned packages of package-lock.json and generates viewer_bundle.cpp; if that fails, the file contains the reason.
+#   cmake -D SOURCE=lib/report -D WORK=folder -D OUTPUT=viewer_bundle.cpp [-D NPM=npm -D NODE=node] -P build_viewer.cmake
+set(reason "")
+if(NPM AND NODE)
+  file(MAKE_DIRECTORY ${WORK})
+  foreach(file package.json package-lock.json viewer.js build_viewer.mjs)
+    file(COPY_FILE ${SOURCE}/${file} ${WORK}/${file} ONLY_IF_DIFFERENT)
+  endforeach()
+  execute_process(COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund --prefer-offline --fetch-retries=1
+                  WORKING_DIRECTORY ${WORK} RESULT_VARIABLE failed OUTPUT_QUIET ERROR_VARIABLE words)
+  if(failed)
+    set(reason "npm could not fetch three.js")
+  else()
+    execute_process(COMMAND ${NODE} build_viewer.mjs ${OUTPUT} WORKING_DIRECTORY ${WORK} RESULT_VARIABLE failed ERROR_VARIABLE words)
+    if(failed)
+      set(reason "esbuild could not bundle the viewer")
+    endif()
+  endif()
+  if(reason)
+    message(WARNING "postprocess --report will not work: ${reason}\n${words}")
+  endif()
+else()
+  set(reason "npm was not installed")
+endif()
+if(reason)
+  file(WRITE ${OUTPUT} "#include \"view/viewer_bundle.hpp\"\n\nnamespace soft::report {\n
+ViewerBundle viewer_bundle() noexcept { return {{}, {}, \"\", \"${reason}\"}; }\n\n}  // namespace soft::report\n")
+endif()
