@@ -1,8 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "core/text.hpp"
+#include "dice.hpp"
 #include "mesh/quality.hpp"
 #include "sample.hpp"
 
@@ -233,10 +232,8 @@ TEST(FiberTube, RejectsUnsuitableStripsAndFlatWalls) {
 
 /// Twenty tubes within the ranges, in all models; reproducible on every machine.
 TEST(FiberTube, RandomDesignsHaveNoInvertedCell) {
-    std::mt19937 random(8);
-    const auto between = [&](double low, double high) {
-        return low + (high - low) * (static_cast<double>(random()) / static_cast<double>(std::mt19937::max()));
-    };
+    Dice dice{8};
+    const auto between = [&](double low, double high) { return dice.between(low, high); };
     const auto mm = [](double value) { return core::number_text(value) + " mm"; };
     const std::array<const char*, 4> models{"axisymmetric", "solid", "half", "quarter"};
     for (int k = 0; k < 20; ++k) {

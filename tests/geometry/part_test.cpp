@@ -40,11 +40,26 @@ std::string part_refusal(const std::string& text, std::vector<design::Override> 
     return "accepted";
 }
 
+namespace occ = gmsh::model::occ;
+
+/// Writes the shapes that `draw` adds.
+template <class Draw>
+void write_step(const std::filesystem::path& path, const Draw& draw) {
+    const meshing::sample::Gmsh session;
+    gmsh::option::setNumber("General.Verbosity", 0);
+    gmsh::vectorpair made;
+    std::vector<gmsh::vectorpair> map;
+    draw(made, map);
+    occ::synchronize();
+    testing::internal::CaptureStdout();
+    gmsh::write(path.string());
+    testing::internal::GetCapturedStdout();
+}
+
 /// A can along x: 30 mm long, radii 10 and 7 mm, caps of 5 mm around a closed cavity. Its facets turn by 10 degrees.
 enum class Can { closed, open, two };
 void write_can(const std::filesystem::path& path, Can can, double scale = 1) {
     const meshing::sample::Gmsh session;
-    namespace occ = gmsh::model::occ;
     gmsh::option::setNumber("General.Verbosity", 0);
     const int body = occ::addCylinder(0, 0, 0, 30 * scale, 0, 0, 10 * scale);
     const int hole = occ::addCylinder(5 * scale, 0, 0, (can == Can::open ? 25 : 20) * scale, 0, 0, 7 * scale);
@@ -103,20 +118,11 @@ TEST(Part, AClosedCanFromStepIsMeshedAroundItsCavity) {
 /// The facets of the bore must not be as short along the axis as around it.
 TEST(Part, LongNarrowBoreHasFewFacets) {
     const TemporaryFile file{"bore.step"};
-    {
-        const meshing::sample::Gmsh session;
-        namespace occ = gmsh::model::occ;
-        gmsh::option::setNumber("General.Verbosity", 0);
-        gmsh::vectorpair made;
-        std::vector<gmsh::vectorpair> map;
+    write_step(file.path, [](gmsh::vectorpair& made, std::vector<gmsh::vectorpair>& map) {
         occ::addBox(0, -10, -10, 60, 20, 20, 1);
         occ::addCylinder(-1, 0, 0, 56, 0, 0, 1, 2);
         occ::cut({{3, 1}}, {{3, 2}}, made, map);
-        occ::synchronize();
-        testing::internal::CaptureStdout();
-        gmsh::write(file.path.string());
-        testing::internal::GetCapturedStdout();
-    }
+    });
     const std::string faces =
         ", faces: {fixed: {plane: {x: 0 mm}}, tip: {plane: {x: 60 mm}}, cavity: {point: [10 mm, 0 mm, 1 mm], up_to: fixed}}";
     const Built bore = built_part(part_text(file.path, faces, usual));
@@ -159,23 +165,14 @@ TEST(Part, OpenCavityIsNamedByAFloodUpToItsInlet) {
 
 TEST(Part, CutPartRepresentsTheWholeBody) {
     const TemporaryFile file{"quarter.step"};
-    {
-        const meshing::sample::Gmsh session;
-        namespace occ = gmsh::model::occ;
-        gmsh::option::setNumber("General.Verbosity", 0);
-        gmsh::vectorpair made;
-        std::vector<gmsh::vectorpair> map;
+    write_step(file.path, [](gmsh::vectorpair& made, std::vector<gmsh::vectorpair>& map) {
         occ::addCylinder(0, 0, 0, 30, 0, 0, 10, 1);
         occ::addCylinder(5, 0, 0, 25, 0, 0, 7, 2);
         occ::cut({{3, 1}}, {{3, 2}}, made, map);
         occ::addBox(-1, 0, 0, 32, 11, 11, 7);
         gmsh::vectorpair quarter;
         occ::intersect(made, {{3, 7}}, quarter, map);
-        occ::synchronize();
-        testing::internal::CaptureStdout();
-        gmsh::write(file.path.string());
-        testing::internal::GetCapturedStdout();
-    }
+    });
     const std::string faces =
         ", faces: {fixed: {plane: {x: 0 mm}}, tip: {plane: {x: 30 mm}}, cavity: {point: [10 mm, 4 mm, 4 mm], up_to: tip}}";
     const Built can = built_part(part_text(file.path, ", symmetry: yz" + faces, usual));
