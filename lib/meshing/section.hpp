@@ -77,6 +77,20 @@ struct Rectangle {
 };
 [[nodiscard]] Section rectangle(const Rectangle& shape);
 
+/// A quarter of a ring between the two axes, with one block; the second radius of curvature lies along the second coordinate.
+struct QuarterRing {
+    double inner_m, outer_m;
+    int through;     ///< cells between the radii
+    double grading;  ///< ratio of the outermost cell to the innermost
+    int around;      ///< cells around the quarter turn
+    std::string low, outer, high,
+        inner;  ///< faces: on the first axis, at the outer radius, on the second axis, at the inner radius
+    std::string region = "rubber";
+    double origin_m = 0;  ///< first coordinate of the centre
+    int sign = 1;         ///< -1: the ring lies at lower first coordinates
+};
+void add_quarter_ring(Section& section, const QuarterRing& ring);
+
 /// Throws std::logic_error with the number of the block if its sides are not connected or opposite sides differ in cells.
 void check(const Section& section);
 
