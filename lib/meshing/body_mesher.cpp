@@ -169,7 +169,7 @@ void name_facets(mesh::Mesh& mesh, const BodySurface& body, const std::vector<Na
 
 mesh::Mesh mesh_inside(const MeshedBody& body, const SizeAt& size_m) {
     constexpr std::size_t max_points =
-        200000;  // on the surface; they give a million tetrahedra or more, too many to solve
+        200000;  // on the surface: more give over a million tetrahedra, too many to solve
     constexpr int attempts = 3;
     const Creases creases = creases_of(body.surface, body.faces);
     double factor = 1;

@@ -12,8 +12,8 @@ namespace {
 
 /// Sagitta of an arc of 15 degrees over its chord: the angle [rad] of an arc is 8 times this ratio.
 constexpr double max_sagitta_ratio = 0.033;
-constexpr int max_halvings =
-    6;  // enough for a facet that spans up to 90 degrees of a circle and a deviation of at least 1e-4 of it
+/// Enough for a facet that spans up to 90 degrees of a circle and a deviation of at least 1e-4 of it.
+constexpr int max_halvings = 6;
 
 struct Corner {
     int point;

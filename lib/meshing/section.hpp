@@ -28,8 +28,8 @@ struct Curve {
 /// end of the previous one.
 struct Block {
     std::array<std::vector<int>, 4> sides;
-    std::string region =
-        "rubber";  ///< region of its cells; blocks of different regions are bonded where they share a curve
+    /// Region of its cells. Blocks of different regions are bonded where they share a curve.
+    std::string region = "rubber";
 };
 
 struct Section {
@@ -77,14 +77,14 @@ struct Rectangle {
 };
 [[nodiscard]] Section rectangle(const Rectangle& shape);
 
-/// A quarter of a ring between the two axes, with one block; the second radius of curvature lies along the second coordinate.
+/// A quarter of a ring about a point of the first axis, with one block.
 struct QuarterRing {
     double inner_m, outer_m;
     int through;     ///< cells between the radii
     double grading;  ///< ratio of the outermost cell to the innermost
     int around;      ///< cells around the quarter turn
-    std::string low, outer, high,
-        inner;  ///< faces: on the first axis, at the outer radius, on the second axis, at the inner radius
+    /// Faces: on the first axis, at the outer radius, on the second axis, at the inner radius.
+    std::string low, outer, high, inner;
     std::string region = "rubber";
     double origin_m = 0;  ///< first coordinate of the centre
     int sign = 1;         ///< -1: the ring lies at lower first coordinates

@@ -122,16 +122,16 @@ TEST(FiberTube, RejectsValuesOutOfRange) {
 }
 
 TEST(FiberTube, RejectsEmptyLayers) {
-    const std::string place = "d.yaml:2:28: geometry.fibers.layer: ",
+    const std::string location = "d.yaml:2:28: geometry.fibers.layer: ",
                       pair = "; use [inner, outer] with inner below outer";
     EXPECT_EQ(refusal_of("fibers: {layer: 0.5}"),
-              place + "1 value, but two are needed; use [inner, outer], such as [0, 1]");
+              location + "1 value, but two are needed; use [inner, outer], such as [0, 1]");
     EXPECT_EQ(refusal_of("fibers: {layer: [0.7, 0.3]}"),
-              place + "the layer from 0.7 to 0.3 is empty or runs inwards" + pair);
+              location + "the layer from 0.7 to 0.3 is empty or runs inwards" + pair);
     EXPECT_EQ(refusal_of("fibers: {layer: [0.5, 0.5]}"),
-              place + "the layer from 0.5 to 0.5 is empty or runs inwards" + pair);
+              location + "the layer from 0.5 to 0.5 is empty or runs inwards" + pair);
     EXPECT_EQ(refusal_of("fibers: {layer: [0.001, 1]}"),
-              place + "a part of the wall has 0.001 of its thickness; use 0, or at least 0.01");
+              location + "a part of the wall has 0.001 of its thickness; use 0, or at least 0.01");
 }
 
 TEST(FiberTube, RejectsLawsThatCannotBeCombinedWithFibres) {

@@ -141,7 +141,7 @@ inline double area_m2(const Solid& s, const std::string& face) {
                          [](const mesh::Point&, const mesh::Point& n) { return std::hypot(n[0], n[1], n[2]); });
 }
 
-/// A value of the key "geometry.KEY" and what the error says of it.
+/// A value of the key "geometry.KEY", and the problem and remedy that the error states.
 struct Refusal {
     const char *key, *value, *words;
 };
