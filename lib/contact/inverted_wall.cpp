@@ -13,11 +13,8 @@ using mesh::Index;
 
 /// Position and tangents at the mean of the corners of a facet.
 surface::FacetMap::Value middle(const mesh::Mesh& mesh, const mesh::Facet& facet) {
-    const mesh::CellTopology& type = mesh::topology(mesh::facet_type(mesh, facet));
-    surface::FacetPoint xi{};
-    for (int v = 0; v < type.vertex_count; ++v)
-        for (std::size_t d = 0; d < 2; ++d) xi[d] += type.nodes[static_cast<std::size_t>(v)][d] / type.vertex_count;
-    return surface::facet_map(mesh, facet, mesh.points)(xi);
+    const auto centre = mesh::reference_centre(mesh::facet_type(mesh, facet));
+    return surface::facet_map(mesh, facet, mesh.points)({centre[0], centre[1]});
 }
 
 /// Cosine between the normals of the two sides of a wall is below this; for facets at an edge or on a curved surface it is above.

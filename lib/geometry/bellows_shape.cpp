@@ -117,9 +117,8 @@ BellowsShape shape_of(const design::Values& values, int convolution) {
 
 std::vector<BellowsShape> shapes_of(const design::Values& values) {
     const int last = values.count("geometry.convolutions") - 1;
-    static_cast<void>(shape_of(values, 0));
-    static_cast<void>(
-        shape_of(values, last));  // report an unsuitable taper by its end value, not by a crest in between
+    // Report an unsuitable taper by its end value, not by a crest in between.
+    for (const int end : {0, last}) static_cast<void>(shape_of(values, end));
     std::vector<BellowsShape> shapes;
     for (int i = 0; i <= last; ++i) shapes.push_back(shape_of(values, i));
     return shapes;

@@ -16,7 +16,6 @@
 #include "mesh/split.hpp"
 #include "meshing/outline_mesher.hpp"
 #include "meshing/outline_sizes.hpp"
-#include "meshing/regions.hpp"
 #include "meshing/section_mesher.hpp"
 #include "model/cavity_surface.hpp"
 #include "model/rubber.hpp"
@@ -65,7 +64,7 @@ void mark_strip(mesh::Mesh& solid, double angle_rad) {
         }
         std::int32_t& region = solid.cell_regions[static_cast<std::size_t>(cell)];
         if (std::atan2(std::abs(y), -z) < 0.5 * angle_rad)
-            region = meshing::region_number(solid, strip_region(names[static_cast<std::size_t>(region)]));
+            region = mesh::region_number(solid, strip_region(names[static_cast<std::size_t>(region)]));
     }
 }
 

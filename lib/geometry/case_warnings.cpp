@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <set>
 
 #include "core/text.hpp"
 #include "core/units.hpp"
+#include "mesh/disjoint_sets.hpp"
 #include "mesh/quality.hpp"
 #include "model/cavity_surface.hpp"
 #include "model/location.hpp"
@@ -155,20 +156,13 @@ void check_openings(const design::Design& design, const model::Case& built, Warn
 
 /// Number of parts whose cells are connected by nodes.
 std::size_t parts_of(const mesh::Mesh& mesh) {
-    std::vector<mesh::Index> root(mesh.points.size());
-    std::iota(root.begin(), root.end(), mesh::Index{0});
-    const auto find = [&](mesh::Index n) {
-        while (root[static_cast<std::size_t>(n)] != n)
-            n = root[static_cast<std::size_t>(n)] = root[static_cast<std::size_t>(root[static_cast<std::size_t>(n)])];
-        return n;
-    };
+    mesh::DisjointSets groups(mesh.points.size());
+    const auto corner = [&](mesh::Index c, std::size_t k) { return static_cast<std::size_t>(mesh.cell_nodes(c)[k]); };
     for (mesh::Index c = 0; c < mesh.cell_count(); ++c)
-        for (const mesh::Index node : mesh.cell_nodes(c))
-            root[static_cast<std::size_t>(find(node))] = find(mesh.cell_nodes(c)[0]);
-    std::vector<mesh::Index> found;
-    for (mesh::Index c = 0; c < mesh.cell_count(); ++c) found.push_back(find(mesh.cell_nodes(c)[0]));
-    std::ranges::sort(found);
-    return static_cast<std::size_t>(std::unique(found.begin(), found.end()) - found.begin());
+        for (std::size_t k = 1; k < mesh.cell_nodes(c).size(); ++k) groups.unite(corner(c, k), corner(c, 0));
+    std::set<std::size_t> found;
+    for (mesh::Index c = 0; c < mesh.cell_count(); ++c) found.insert(groups.first(corner(c, 0)));
+    return found.size();
 }
 
 /// Stresses in a cell whose Jacobian varies more than tenfold are unreliable.

@@ -14,8 +14,8 @@ namespace {
 using Names = std::vector<std::string>;
 
 constexpr const char *cavity = "cavity", *bottom = "bottom", *outer = "outer";
-constexpr double core_share =
-    0.5;  ///< width and height of the square in the middle of the cavity, relative to the inner radius
+/// Width and height of the square in the middle of the cavity, relative to the inner radius.
+constexpr double core_share = 0.5;
 
 /// A strip of cells between two values of y, or of z.
 struct Band {

@@ -44,10 +44,8 @@ std::vector<mesh::Facet> sides_around(const mesh::Mesh& mesh, const std::vector<
     const auto needed = mesh.dimension - 1;
     std::vector<mesh::Facet> around;
     for (const mesh::Facet& facet : boundary_facets(mesh)) {
-        const auto nodes = facet_nodes(mesh, facet);
-        const auto corners = nodes.begin() + mesh::topology(facet_type(mesh, facet)).vertex_count;
         if (!own.contains(facet) &&
-            std::count_if(nodes.begin(), corners, [&](Index n) { return rim.contains(n); }) >= needed)
+            std::ranges::count_if(facet_corners(mesh, facet), [&](Index n) { return rim.contains(n); }) >= needed)
             around.push_back(facet);
     }
     return around;

@@ -141,8 +141,7 @@ MeshedPart mesh_part(const meshing::Part& part, const design::Values& values) {
     const std::vector<meshing::NamedFace> faces = named_faces(part.surface, with_cuts(face_rules(values), cut));
     for (const meshing::NamedFace& face : faces)
         if (std::ranges::find(face.facets, true) == face.facets.end()) {
-            std::string first =
-                face.name.starts_with("symmetry_") ? symmetry_key : "";  // key of the rule, as the location
+            std::string first = face.name.starts_with("symmetry_") ? symmetry_key : "";  // a key of the rule
             for (const char* key : {"plane.x", "plane.y", "plane.z", "box.from", "normal", "point"})
                 if (const std::string path = std::string{rules_group} + "." + face.name + "." + key;
                     first.empty() && values.has(path))

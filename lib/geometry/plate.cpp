@@ -12,8 +12,8 @@
 namespace soft::geometry {
 namespace {
 
-constexpr double max_length =
-    2.2;  ///< cell length relative to the quality normal; at twice this length the error of the curve is 1 %
+/// Cell length relative to the quality normal; at twice this length the error of the curve is 1 %.
+constexpr double max_length = 2.2;
 
 Body round_plate(const design::Values& values) {
     const double radius_m = values.number("geometry.radius"), thickness_m = values.number("geometry.thickness");

@@ -342,16 +342,9 @@ design::Key file_key(Across across) {
 }
 
 CellSize profile_cells(const meshing::Outline& outline, const design::Values& values) {
-    meshing::PlanePoint low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
-    for (const meshing::Loop& loop : outline.loops)
-        for (const meshing::OutlineEdge& edge : loop)
-            for (const meshing::PlanePoint& p : edge.points)
-                for (std::size_t d = 0; d < 2; ++d) {
-                    low[d] = std::min(low[d], p[d]);
-                    high[d] = std::max(high[d], p[d]);
-                }
+    const meshing::PlanePoint sides_m = extents_m(outline);
     constexpr double along = 8.5;  // cells at walls and corners are shorter
-    return {values, std::sqrt((high[0] - low[0]) * (high[1] - low[1])) / along};
+    return {values, std::sqrt(sides_m[0] * sides_m[1]) / along};
 }
 
 std::vector<design::Key> profile_mesh_keys() {

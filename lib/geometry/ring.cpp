@@ -11,19 +11,6 @@ namespace {
 
 constexpr Radii usual{10e-3, 20e-3};
 
-meshing::Section section_of(double inner_m, double outer_m, Division through, int around) {
-    meshing::Section s;
-    const int centre = add_point(s, {0, 0});
-    const int a = add_point(s, {inner_m, 0}), b = add_point(s, {outer_m, 0});
-    const int c = add_point(s, {0, outer_m}), d = add_point(s, {0, inner_m});
-    add_graded_line(s, {a, b}, through.cells, through.grading, {meshing::symmetry_y_face});
-    add_arc(s, {b, c}, centre, around, {"outer"});
-    add_graded_line(s, {c, d}, through.cells, 1 / through.grading, {meshing::symmetry_x_face});
-    add_arc(s, {d, a}, centre, around, {"cavity"});
-    add_block(s, {{{a, b}, {b, c}, {c, d}, {d, a}}});
-    return s;
-}
-
 Body build(const design::Values& values) {
     const auto [inner_m, outer_m] = radii_of(values, usual);
     constexpr int min_around = 4;  // as for a quarter of the sphere's meridian
@@ -32,8 +19,9 @@ Body build(const design::Values& values) {
     const bool solid = model_of(values) == Model::solid;
 
     Body body;
-    body.section =
-        section_of(inner_m, outer_m, through, size.along(0.25 * std::numbers::pi * (inner_m + outer_m), min_around));
+    add_quarter_ring(body.section, {inner_m, outer_m, through.cells, through.grading,
+                                    size.along(0.25 * std::numbers::pi * (inner_m + outer_m), min_around),
+                                    meshing::symmetry_y_face, "outer", meshing::symmetry_x_face, "cavity"});
     body.warnings = too_few_through_ring(size, inner_m, outer_m, through, max_innermost_cylinder);
     body.symmetry_planes = {true, true, false};
     body.fraction = 0.25;

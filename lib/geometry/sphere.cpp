@@ -19,15 +19,8 @@ Body build(const design::Values& values) {
     const int around = size.along(0.25 * std::numbers::pi * (inner_m + outer_m), min_around);
 
     Body body;
-    meshing::Section& s = body.section;
-    const int centre = add_point(s, {0, 0});
-    const int a = add_point(s, {inner_m, 0}), b = add_point(s, {outer_m, 0});
-    const int c = add_point(s, {0, outer_m}), d = add_point(s, {0, inner_m});
-    add_graded_line(s, {a, b}, through.cells, through.grading, {meshing::axis_face});
-    add_arc(s, {b, c}, centre, around, {"outer"});
-    add_graded_line(s, {c, d}, through.cells, 1 / through.grading, {meshing::symmetry_x_face});
-    add_arc(s, {d, a}, centre, around, {"cavity"});
-    add_block(s, {{{a, b}, {b, c}, {c, d}, {d, a}}});
+    add_quarter_ring(body.section, {inner_m, outer_m, through.cells, through.grading, around, meshing::axis_face,
+                                    "outer", meshing::symmetry_x_face, "cavity"});
     body.warnings = too_few_through_ring(size, inner_m, outer_m, through, max_innermost_sphere);
     body.sweep = Revolution{sectors(values)};
     body.cavities = {{"cavity", "cavity", {}, {}}};

@@ -15,24 +15,6 @@ constexpr Radii usual{10e-3, 11e-3};
 
 constexpr std::array<const char*, 2> plane_faces{"plane_left", "plane_right"};
 
-struct Half {
-    double plane_m;  ///< x of its symmetry plane
-    int sign;        ///< -1: it lies at lower x
-    double inner_m, outer_m;
-    const char *wall, *outside, *plane;  ///< names of the faces; the cells form the region `wall`
-};
-
-void add_half(meshing::Section& s, const Half& half, Division through, int around) {
-    const auto at = [&](double x, double r) { return add_point(s, {half.plane_m + half.sign * x, r}); };
-    const int centre = at(0, 0);
-    const int a = at(half.inner_m, 0), b = at(half.outer_m, 0), c = at(0, half.outer_m), d = at(0, half.inner_m);
-    add_graded_line(s, {a, b}, through.cells, through.grading, {meshing::axis_face});
-    add_arc(s, {b, c}, centre, around, {half.outside});
-    add_graded_line(s, {c, d}, through.cells, 1 / through.grading, {half.plane});
-    add_arc(s, {d, a}, centre, around, {half.wall});
-    add_block(s, {{{a, b}, {b, c}, {c, d}, {d, a}}}, half.wall);
-}
-
 Body build(const design::Values& values) {
     const auto [inner_m, outer_m] = radii_of(values, usual);
     constexpr int min_around = 4;  // per quarter turn, as for mesh.sectors
@@ -45,8 +27,13 @@ Body build(const design::Values& values) {
     const int around = size.along(0.25 * std::numbers::pi * (inner_m + outer_m), min_around);
 
     Body body;
-    add_half(body.section, {-half_gap_m, -1, inner_m, outer_m, "left", "outer_left", plane_faces[0]}, through, around);
-    add_half(body.section, {half_gap_m, 1, inner_m, right_m, "right", "outer_right", plane_faces[1]}, through, around);
+    const meshing::QuarterRing left{
+        inner_m,      outer_m,        through.cells, through.grading, around,      meshing::axis_face,
+        "outer_left", plane_faces[0], "left",        "left",          -half_gap_m, -1};
+    const meshing::QuarterRing right{
+        inner_m,       right_m,        through.cells, through.grading, around,     meshing::axis_face,
+        "outer_right", plane_faces[1], "right",       "right",         half_gap_m, 1};
+    for (const meshing::QuarterRing& half : {left, right}) add_quarter_ring(body.section, half);
     body.warnings = too_few_through_ring(size, inner_m, thick_m, through, max_innermost_sphere);
     body.sweep = Revolution{};
     // Each cavity continues beyond its plane; the plug that represents this acts on a face that supports fix.

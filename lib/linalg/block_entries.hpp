@@ -31,8 +31,8 @@ private:
     };
     std::vector<Block> blocks_;   // plus one end marker
     std::vector<PetscInt> dofs_;  // [block][row]
-    std::vector<std::uint16_t>
-        indices_;  // [block][row][column], index in the row; empty if a row is too long for 16 bits
+    /// [block][row][column], index in the row; empty if a row is too long for 16 bits.
+    std::vector<std::uint16_t> indices_;
 };
 
 /// Accesses the values of a matrix during its lifetime. Call MatZeroEntries first: it marks the matrix as changed for solvers.

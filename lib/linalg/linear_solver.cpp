@@ -47,8 +47,7 @@ LinearSolver::LinearSolver(Mat K, Symmetry symmetry, const model::LinearSettings
     SOFT_PETSC(KSPSetType(ksp_, KSPFGMRES));
     SOFT_PETSC(KSPGMRESSetRestart(ksp_, restart_of(settings)));
     SOFT_PETSC(KSPSetTolerances(ksp_, settings.tolerance, PETSC_DEFAULT, PETSC_DEFAULT, settings.iteration_limit));
-    PC pc = nullptr;
-    SOFT_PETSC(KSPGetPC(ksp_, &pc));
+    const PC pc = preconditioner();
     if (settings.method != LinearMethod::automatic)
         set_type(pc, settings, symmetry);
     else
@@ -60,8 +59,7 @@ LinearSolver::LinearSolver(Mat K, Symmetry symmetry, const model::LinearSettings
 void LinearSolver::use_factorization(Choice choice) {
     PetscBool chosen = PETSC_FALSE;
     SOFT_PETSC(PetscOptionsHasName(nullptr, nullptr, "-pc_type", &chosen));  // the user overrides set_type
-    PC pc = nullptr;
-    SOFT_PETSC(KSPGetPC(ksp_, &pc));
+    const PC pc = preconditioner();
     own_.reset();
     choice_ = choice;
     const char* name = "LDL^T without pivoting, CHOLMOD";
@@ -97,17 +95,17 @@ void LinearSolver::try_small_factors() {
     if (small->flops() <= small_flops) own_ = std::move(small);
 }
 
-bool LinearSolver::has_own_factors() const {
+PC LinearSolver::preconditioner() const {
     PC pc = nullptr;
     SOFT_PETSC(KSPGetPC(ksp_, &pc));
-    return own_ && is_type(pc, PCSHELL);
+    return pc;
 }
 
+bool LinearSolver::has_own_factors() const { return own_ && is_type(preconditioner(), PCSHELL); }
+
 void LinearSolver::set_levels(ElementLevels levels) {
-    PC pc = nullptr;
-    SOFT_PETSC(KSPGetPC(ksp_, &pc));
     multigrid_ = std::make_unique<Multigrid>(std::move(levels));
-    multigrid_->attach(pc);
+    multigrid_->attach(preconditioner());
 }
 
 void LinearSolver::set_operators() {
@@ -117,8 +115,7 @@ void LinearSolver::set_operators() {
 
 PetscErrorCode LinearSolver::set_up() {
     const PetscErrorCode code = KSPSetUp(ksp_);
-    PC pc = nullptr;
-    SOFT_PETSC(KSPGetPC(ksp_, &pc));
+    const PC pc = preconditioner();
     if (code != 0 || !is_type(pc, PCASM)) return code;
     set_block_type(pc, settings_.preconditioner);
     return KSPSetUpOnBlocks(ksp_);
@@ -137,8 +134,7 @@ bool LinearSolver::is_numerical_failure(PetscErrorCode code, const char* call) c
 Factorization LinearSolver::factorize() {
     ++factorizations_;
     set_operators();
-    PC pc = nullptr;
-    SOFT_PETSC(KSPGetPC(ksp_, &pc));
+    const PC pc = preconditioner();
     if (has_own_factors()) {
         const ScopedTimer timed(Phase::factorization);
         if (own_->factorize(K_)) return {true, own_->negative_pivots(), own_->determinant_is_negative()};
@@ -214,8 +210,7 @@ LinearSolve LinearSolver::solve(Vec b, Vec x, Factor factor) {
 }
 
 bool LinearSolver::use_next_factorization() {
-    PC pc = nullptr;
-    SOFT_PETSC(KSPGetPC(ksp_, &pc));
+    const PC pc = preconditioner();
     const bool is_user_selected = !own_ && !is_type(pc, PCCHOLESKY);  // by -pc_type
     if (choice_ == Choice::lu || is_user_selected) return false;
     use_factorization(choice_ == Choice::small_ldlt ? Choice::ldlt : Choice::lu);

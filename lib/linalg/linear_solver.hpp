@@ -90,6 +90,7 @@ private:
     /// Returns false if no other factorisation is left to try.
     [[nodiscard]] bool use_next_factorization();
     [[nodiscard]] bool has_own_factors() const;
+    [[nodiscard]] PC preconditioner() const;
     [[nodiscard]] LinearSolve solve_once(Vec b, Vec x);
     /// Returns true for a numerical failure; throws for any other error code.
     [[nodiscard]] bool is_numerical_failure(PetscErrorCode code, const char* call) const;

@@ -48,9 +48,8 @@ void set_cholmod(PC pc) {
         throw Error(ExitCode::bad_input, "solver.linear",
                     "cholmod runs on one rank only, not on " + std::to_string(ranks), "use mumps-ldlt, or one rank");
     set_factorization(pc, PCCHOLESKY, MATSOLVERCHOLMOD, "CHOLMOD (SuiteSparse)");
-    set_defaults({{"-mat_cholmod_print", "0"},  // its warnings go to stdout, which is for data
-                  {"-mat_cholmod_factor",
-                   "supernodal"}});  // LL^T: CHOLMOD's simplicial LDL^T for small matrices accepts negative pivots
+    // CHOLMOD's warnings go to stdout, which is for data. Its simplicial LDL^T for small matrices accepts negative pivots.
+    set_defaults({{"-mat_cholmod_print", "0"}, {"-mat_cholmod_factor", "supernodal"}});
 }
 
 void set_boomeramg(PC pc) {

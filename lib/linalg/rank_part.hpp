@@ -46,8 +46,8 @@ private:
     void add_coupled_rows(Mat K, const PartLayout& layout);
 
     std::vector<PetscInt> begin_{0}, columns_;
-    std::vector<PetscInt>
-        sources_;  // of the entries of I: index k in the rank's diagonal block, ~k in its off-diagonal block
+    /// Of the entries of I: index k in the rank's diagonal block, ~k in its off-diagonal block.
+    std::vector<PetscInt> sources_;
     std::vector<double> values_;
     IndexSet coupled_, interior_;
     Mat* coupled_rows_ = nullptr;  // K_TI, general matrices only

@@ -49,8 +49,8 @@ void set_mpi_defaults() {
     const bool alone = ranks.empty() && text("PMIX_NAMESPACE").empty() && text("PMI_RANK").empty();
     if (alone) {
         setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
-        setenv("OMPI_MCA_orte_create_session_dirs", "0",
-               0);  // it is shared: a process that ends removes it while another starts
+        // The session folder is shared: a process that ends removes it while another starts.
+        setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
     }
     if (!alone && (ranks.empty() || ranks != text("OMPI_COMM_WORLD_LOCAL_SIZE"))) return;
     setenv("OMPI_MCA_pml", "ob1", 0);
@@ -69,8 +69,8 @@ void check_options_files(const std::vector<std::string>& options) {
 Session::Session(const std::vector<std::string>& options) {
     check_options_files(options);
     set_mpi_defaults();
-    setenv("SCOTCH_PTHREAD_NUMBER", "1",
-           1);  // with threads the partition is not reproducible, and last digits would differ
+    // With threads the partition is not reproducible, and last digits would differ.
+    setenv("SCOTCH_PTHREAD_NUMBER", "1", 1);
     core::require_memory(memory_to_start);
     allocate_blas_buffer();
     std::vector<std::string> words{"solve", "-no_signal_handler", "-skip_petscrc"};
@@ -160,8 +160,8 @@ void choose_blas_kernel(char** argv) {
     if (std::getenv("OPENBLAS_CORETYPE") != nullptr || !is_blas_kernel_slow(better)) return;
     setenv("OPENBLAS_CORETYPE", better.c_str(), 0);
     std::error_code unknown;
-    const auto program = std::filesystem::read_symlink(
-        "/proc/self/exe", unknown);  // the real path: ps and top then show the program's name
+    // The real path, so that ps and top show the program's name.
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown);
     if (!unknown) execv(program.c_str(), argv);
 }
 

@@ -114,8 +114,8 @@ std::optional<PetscInt> Substructures::negative_pivots() const {
     PetscInt negative = parts_->interior->negative_pivots();
     MPI_Allreduce(MPI_IN_PLACE, &negative, 1, MPIU_INT, MPI_SUM, parts_->ranks);
     PetscInt of_complement = parts_->complement.negative_eigenvalues();
-    MPI_Bcast(&of_complement, 1, MPIU_INT, 0,
-              parts_->ranks);  // last digits may differ between processor types: rank 0 decides
+    // Rank 0 decides, because last digits may differ between processor types.
+    MPI_Bcast(&of_complement, 1, MPIU_INT, 0, parts_->ranks);
     return negative + of_complement;
 }
 

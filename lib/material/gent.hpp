@@ -26,19 +26,12 @@ struct Gent {
     [[nodiscard]] double initial_shear_modulus_Pa() const { return mu_Pa; }
 
     static LawInfo info() {
-        return {
-            .name = "gent",
-            .energy = "-mu jm/2 ln(1 - (I1 - 3)/jm)",
-            .validity = "rubber with a locking stretch; undefined for I1 - 3 >= jm",
-            .source = "Gent, Rubber Chem. Technol. 69 (1996) 59",
-            .parameters = {
-                {.name = "mu", .meaning = "initial shear modulus", .example = "0.1644 MPa", .min = 0, .min_open = true},
-                {.name = "jm",
-                 .quantity = Quantity::ratio,
-                 .meaning = "value of I1 - 3 at which the chains lock",
-                 .example = "80",
-                 .min = 0,
-                 .min_open = true}}};
+        return {.name = "gent",
+                .energy = "-mu jm/2 ln(1 - (I1 - 3)/jm)",
+                .validity = "rubber with a locking stretch; undefined for I1 - 3 >= jm",
+                .source = "Gent, Rubber Chem. Technol. 69 (1996) 59",
+                .parameters = {positive("mu", "initial shear modulus", "0.1644 MPa"),
+                               positive("jm", "value of I1 - 3 at which the chains lock", "80", Quantity::ratio)}};
     }
     static Gent from(const Constants& constants) { return {constants.at("mu").front(), constants.at("jm").front()}; }
 };

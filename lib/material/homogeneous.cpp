@@ -152,23 +152,4 @@ double nominal_stress_Pa(const HomogeneousState& state, Mode mode) {
     return state.first_piola_Pa[mode == Mode::simple_shear ? 1 : 0];
 }
 
-std::optional<double> stretch_at(const AnyRubber& rubber, Mode mode, double cauchy_Pa, const StretchRange& range) {
-    const auto excess = [&](double stretch) -> std::optional<double> {
-        const auto state = homogeneous_state(rubber, mode, stretch);
-        if (!state) return std::nullopt;
-        return cauchy_stress_Pa(*state, mode) - cauchy_Pa;
-    };
-    double low = range.min, high = range.max;
-    const auto first = excess(low), last = excess(high);
-    if (!first || !last || *first > 0.0 || *last < 0.0) return std::nullopt;
-    for (int i = 0; i < max_halvings; ++i) {
-        const double middle = 0.5 * (low + high);
-        if (middle == low || middle == high) break;
-        const auto value = excess(middle);
-        if (!value) return std::nullopt;
-        (*value < 0.0 ? low : high) = middle;
-    }
-    return 0.5 * (low + high);
-}
-
 }  // namespace soft::material

@@ -36,9 +36,4 @@ struct StretchRange {
     double min = 0, max = 0;
 };
 
-/// The stretch (or shear) within `range` at which the Cauchy stress is `cauchy_Pa`, by bisection to machine precision. The stress
-/// must increase over the range. nullopt if the solution is not within the range.
-[[nodiscard]] std::optional<double> stretch_at(const AnyRubber& rubber, Mode mode, double cauchy_Pa,
-                                               const StretchRange& range);
-
 }  // namespace soft::material

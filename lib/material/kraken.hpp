@@ -29,11 +29,7 @@ struct Kraken {
             .validity =
                 "stress of the reference work, to reproduce its results; the undeformed state has the initial stress mu",
             .source = "MOOSE-Based Finite Element Hyperelastic Modeling for Soft Robot Simulations (2022), Eq. 2",
-            .parameters = {{.name = "mu",
-                            .meaning = "twice the paper's C1",
-                            .example = "0.1644 MPa",
-                            .min = 0,
-                            .min_open = true}},
+            .parameters = {positive("mu", "twice the paper's C1", "0.1644 MPa")},
             .bulk = Bulk::finite,
             .takes_volumetric = false,
             .mixed = false,

@@ -17,8 +17,7 @@ struct LinearElastic {
                 .energy = "mu dev e : dev e + kappa/2 (tr e)^2, e the small strain",
                 .validity = "small strains and rotations; for comparison with finite strain",
                 .source = "the paper's linear model; Hooke's law",
-                .parameters =
-                    {{.name = "mu", .meaning = "shear modulus", .example = "0.1644 MPa", .min = 0, .min_open = true}},
+                .parameters = {positive("mu", "shear modulus", "0.1644 MPa")},
                 .takes_volumetric = false,
                 .takes_young_poisson = true,
                 .f_bar = false};

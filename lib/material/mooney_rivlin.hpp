@@ -26,14 +26,13 @@ struct MooneyRivlin {
                 .energy = "c10 (I1 - 3) + c01 (I2 - 3) + c20 (I1 - 3)^2 + c11 (I1 - 3)(I2 - 3) + c02 (I2 - 3)^2",
                 .validity = "two terms up to stretches of about 2; five terms need tests in more than one mode",
                 .source = "Rivlin, Phil. Trans. R. Soc. A 241 (1948) 379",
-                .parameters = {
-                    {.name = "c10",
-                     .meaning = "factor of I1 - 3; 2 (c10 + c01) is the initial shear modulus",
-                     .example = "64 kPa"},
-                    {.name = "c01", .meaning = "factor of I2 - 3", .example = "18 kPa"},
-                    {.name = "c20", .meaning = "factor of (I1 - 3)^2", .example = "1 kPa", .fallback = "0 Pa"},
-                    {.name = "c11", .meaning = "factor of (I1 - 3)(I2 - 3)", .example = "1 kPa", .fallback = "0 Pa"},
-                    {.name = "c02", .meaning = "factor of (I2 - 3)^2", .example = "1 kPa", .fallback = "0 Pa"}}};
+                .parameters = {{.name = "c10",
+                                .meaning = "factor of I1 - 3; 2 (c10 + c01) is the initial shear modulus",
+                                .example = "64 kPa"},
+                               {.name = "c01", .meaning = "factor of I2 - 3", .example = "18 kPa"},
+                               optional_modulus("c20", "factor of (I1 - 3)^2", "1 kPa"),
+                               optional_modulus("c11", "factor of (I1 - 3)(I2 - 3)", "1 kPa"),
+                               optional_modulus("c02", "factor of (I2 - 3)^2", "1 kPa")}};
     }
     /// Throws Error (bad_input) if the initial shear modulus is not positive.
     static MooneyRivlin from(const Constants& constants) {

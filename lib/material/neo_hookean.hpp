@@ -21,11 +21,8 @@ struct NeoHookean {
             .energy = "mu/2 (I1 - 3)",
             .validity = "one constant; good to stretches of about 1.5, stable everywhere",
             .source = "Treloar, Trans. Faraday Soc. 39 (1943) 241",
-            .parameters = {{.name = "mu",
-                            .meaning = "initial shear modulus, a third of Young's modulus of an incompressible rubber",
-                            .example = "0.1644 MPa",
-                            .min = 0,
-                            .min_open = true}}};
+            .parameters = {positive(
+                "mu", "initial shear modulus, a third of Young's modulus of an incompressible rubber", "0.1644 MPa")}};
     }
     static NeoHookean from(const Constants& constants) { return {constants.at("mu").front()}; }
 };

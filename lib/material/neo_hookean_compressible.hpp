@@ -27,11 +27,7 @@ struct NeoHookeanCompressible {
                 .energy = "mu/2 (I1 - 3 - 2 ln J) + (kappa - 2 mu/3)/2 Theta(J)^2, I1 not isochoric",
                 .validity = "the form with ln J for foams and textbook comparisons; kappa above 2 mu/3",
                 .source = "Bonet and Wood, Nonlinear Continuum Mechanics (2008), eq. 6.27",
-                .parameters = {{.name = "mu",
-                                .meaning = "initial shear modulus",
-                                .example = "0.1644 MPa",
-                                .min = 0,
-                                .min_open = true}}};
+                .parameters = {positive("mu", "initial shear modulus", "0.1644 MPa")}};
     }
     static NeoHookeanCompressible from(const Constants& constants) { return {constants.at("mu").front()}; }
 };

@@ -26,6 +26,18 @@ struct Parameter {
     int max_count = 1;               ///< 1: a single value; else a list of 1 to `max_count` values
 };
 
+/// A required constant above zero.
+[[nodiscard]] constexpr Parameter positive(std::string_view name, std::string_view meaning, std::string_view example,
+                                           Quantity quantity = Quantity::pressure) {
+    return {.name = name, .quantity = quantity, .meaning = meaning, .example = example, .min = 0, .min_open = true};
+}
+
+/// A modulus of either sign that is zero unless given.
+[[nodiscard]] constexpr Parameter optional_modulus(std::string_view name, std::string_view meaning,
+                                                   std::string_view example) {
+    return {.name = name, .meaning = meaning, .example = example, .fallback = "0 Pa"};
+}
+
 /// Supported values of the bulk modulus kappa.
 enum class Bulk {
     selectable,  ///< kappa: a modulus, or incompressible

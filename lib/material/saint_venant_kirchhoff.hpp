@@ -31,8 +31,7 @@ struct SaintVenantKirchhoff {
                 .energy = "mu dev E : dev E + kappa/2 (tr E)^2, E the Green strain",
                 .validity = "small strains with large rotations; fails in compression below a stretch of 0.58",
                 .source = "Bonet and Wood, Nonlinear Continuum Mechanics (2008), 6.3",
-                .parameters =
-                    {{.name = "mu", .meaning = "shear modulus", .example = "0.1644 MPa", .min = 0, .min_open = true}},
+                .parameters = {positive("mu", "shear modulus", "0.1644 MPa")},
                 .bulk = Bulk::finite,
                 .takes_volumetric = false,
                 .takes_young_poisson = true};

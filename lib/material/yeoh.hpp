@@ -25,29 +25,21 @@ struct Yeoh {
     [[nodiscard]] double initial_shear_modulus_Pa() const { return 2.0 * c1_Pa; }
 
     static LawInfo info() {
-        return {
-            .name = "yeoh",
-            .energy = "c1 x + c2 x^2 + c3 x^3 + a (x - (1 - exp(-b x))/b), x = I1 - 3",
-            .validity = "stiffening of filled rubbers at large stretch; needs only uniaxial tests",
-            .source = "Yeoh, Rubber Chem. Technol. 66 (1993) 754",
-            .parameters = {{.name = "c1",
-                            .meaning = "half the initial shear modulus",
-                            .example = "82.2 kPa",
-                            .min = 0,
-                            .min_open = true},
-                           {.name = "c2", .meaning = "factor of (I1 - 3)^2", .example = "1 kPa", .fallback = "0 Pa"},
-                           {.name = "c3", .meaning = "factor of (I1 - 3)^3", .example = "0.05 kPa", .fallback = "0 Pa"},
-                           {.name = "a",
-                            .meaning = "increase of dW/dI1 from c1, as 1 - exp(-b (I1 - 3))",
-                            .example = "50 kPa",
-                            .fallback = "0 Pa"},
-                           {.name = "b",
-                            .quantity = Quantity::ratio,
-                            .meaning = "rate of this increase; unused if a is 0",
-                            .example = "0.1",
-                            .min = 0,
-                            .min_open = true,
-                            .fallback = "1"}}};
+        return {.name = "yeoh",
+                .energy = "c1 x + c2 x^2 + c3 x^3 + a (x - (1 - exp(-b x))/b), x = I1 - 3",
+                .validity = "stiffening of filled rubbers at large stretch; needs only uniaxial tests",
+                .source = "Yeoh, Rubber Chem. Technol. 66 (1993) 754",
+                .parameters = {positive("c1", "half the initial shear modulus", "82.2 kPa"),
+                               optional_modulus("c2", "factor of (I1 - 3)^2", "1 kPa"),
+                               optional_modulus("c3", "factor of (I1 - 3)^3", "0.05 kPa"),
+                               optional_modulus("a", "increase of dW/dI1 from c1, as 1 - exp(-b (I1 - 3))", "50 kPa"),
+                               {.name = "b",
+                                .quantity = Quantity::ratio,
+                                .meaning = "rate of this increase; unused if a is 0",
+                                .example = "0.1",
+                                .min = 0,
+                                .min_open = true,
+                                .fallback = "1"}}};
     }
     static Yeoh from(const Constants& constants) {
         const auto value = [&](const char* name) { return constants.at(name).front(); };

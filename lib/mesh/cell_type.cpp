@@ -129,61 +129,61 @@ constexpr Skeleton<6, 9, 3, 5> wedge_skeleton{
     {{{0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}},
     {{{0, 2, 1, _}, {3, 4, 5, _}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}}};
 
-constexpr auto line2 = make_tables<1, 2>(line);
-constexpr auto line3 = make_tables<2, 3>(line);
-constexpr auto triangle3 = make_tables<1, 3>(triangle);
-constexpr auto triangle6 = make_tables<2, 6>(triangle);
-constexpr auto quad4 = make_tables<1, 4>(quad);
-constexpr auto quad9 = make_tables<2, 9>(quad);
-constexpr auto tet4 = make_tables<1, 4>(tet);
-constexpr auto tet10 = make_tables<2, 10>(tet);
-constexpr auto hex8 = make_tables<1, 8>(hex);
-constexpr auto hex27 = make_tables<2, 27>(hex);
-constexpr auto wedge6 = make_tables<1, 6>(wedge_skeleton);
-constexpr auto wedge18 = make_tables<2, 18>(wedge_skeleton);
+template <const auto& skeleton, int order, std::size_t N>
+constexpr auto tables = make_tables<order, N>(skeleton);
 
-template <std::size_t N, std::size_t F>
-constexpr CellTopology make_topology(CellType type, Shape shape, std::string_view name, int dimension, int order,
-                                     int vertex_count, const Tables<N, F>& tables) {
-    return {type, shape, name, dimension, order, static_cast<int>(N), vertex_count, tables.nodes, tables.facets};
+template <const auto& skeleton, int order, std::size_t N>
+constexpr CellTopology make_topology(CellType type, Shape shape, std::string_view name, int dimension) {
+    const auto& table = tables<skeleton, order, N>;
+    return {type,
+            shape,
+            name,
+            dimension,
+            order,
+            static_cast<int>(N),
+            static_cast<int>(skeleton.corners.size()),
+            table.nodes,
+            table.facets};
 }
 
+/// First and second order of each shape follow each other (with_order).
 constexpr std::array<CellTopology, 12> topologies{
-    make_topology(CellType::line2, Shape::line, "line2", 1, 1, 2, line2),
-    make_topology(CellType::line3, Shape::line, "line3", 1, 2, 2, line3),
-    make_topology(CellType::triangle3, Shape::triangle, "triangle3", 2, 1, 3, triangle3),
-    make_topology(CellType::triangle6, Shape::triangle, "triangle6", 2, 2, 3, triangle6),
-    make_topology(CellType::quad4, Shape::quadrilateral, "quad4", 2, 1, 4, quad4),
-    make_topology(CellType::quad9, Shape::quadrilateral, "quad9", 2, 2, 4, quad9),
-    make_topology(CellType::tet4, Shape::tetrahedron, "tet4", 3, 1, 4, tet4),
-    make_topology(CellType::tet10, Shape::tetrahedron, "tet10", 3, 2, 4, tet10),
-    make_topology(CellType::hex8, Shape::hexahedron, "hex8", 3, 1, 8, hex8),
-    make_topology(CellType::hex27, Shape::hexahedron, "hex27", 3, 2, 8, hex27),
-    make_topology(CellType::wedge6, Shape::wedge, "wedge6", 3, 1, 6, wedge6),
-    make_topology(CellType::wedge18, Shape::wedge, "wedge18", 3, 2, 6, wedge18),
+    make_topology<line, 1, 2>(CellType::line2, Shape::line, "line2", 1),
+    make_topology<line, 2, 3>(CellType::line3, Shape::line, "line3", 1),
+    make_topology<triangle, 1, 3>(CellType::triangle3, Shape::triangle, "triangle3", 2),
+    make_topology<triangle, 2, 6>(CellType::triangle6, Shape::triangle, "triangle6", 2),
+    make_topology<quad, 1, 4>(CellType::quad4, Shape::quadrilateral, "quad4", 2),
+    make_topology<quad, 2, 9>(CellType::quad9, Shape::quadrilateral, "quad9", 2),
+    make_topology<tet, 1, 4>(CellType::tet4, Shape::tetrahedron, "tet4", 3),
+    make_topology<tet, 2, 10>(CellType::tet10, Shape::tetrahedron, "tet10", 3),
+    make_topology<hex, 1, 8>(CellType::hex8, Shape::hexahedron, "hex8", 3),
+    make_topology<hex, 2, 27>(CellType::hex27, Shape::hexahedron, "hex27", 3),
+    make_topology<wedge_skeleton, 1, 6>(CellType::wedge6, Shape::wedge, "wedge6", 3),
+    make_topology<wedge_skeleton, 2, 18>(CellType::wedge18, Shape::wedge, "wedge18", 3),
 };
 
-constexpr std::size_t position(CellType type) noexcept {
-    switch (type) {
-        case CellType::line2: return 0;
-        case CellType::line3: return 1;
-        case CellType::triangle3: return 2;
-        case CellType::triangle6: return 3;
-        case CellType::quad4: return 4;
-        case CellType::quad9: return 5;
-        case CellType::tet4: return 6;
-        case CellType::tet10: return 7;
-        case CellType::hex8: return 8;
-        case CellType::hex27: return 9;
-        case CellType::wedge6: return 10;
-        case CellType::wedge18: return 11;
-    }
-    return 0;
-}
+/// Index in `topologies` by VTK's number.
+constexpr auto positions = [] {
+    std::array<std::size_t, 33> found{};
+    for (std::size_t i = 0; i < topologies.size(); ++i) found[static_cast<std::size_t>(topologies[i].type)] = i;
+    return found;
+}();
 
 }  // namespace
 
-const CellTopology& topology(CellType type) noexcept { return topologies[position(type)]; }
+const CellTopology& topology(CellType type) noexcept { return topologies[positions[static_cast<std::size_t>(type)]]; }
+
+CellType with_order(CellType type, int order) noexcept {
+    return topologies[positions[static_cast<std::size_t>(type)] / 2 * 2 + static_cast<std::size_t>(order) - 1].type;
+}
+
+std::array<double, 3> reference_centre(CellType type) noexcept {
+    const CellTopology& cell = topology(type);
+    std::array<double, 3> centre{};
+    for (const auto& corner : cell.nodes.first(static_cast<std::size_t>(cell.vertex_count)))
+        for (std::size_t d = 0; d < 3; ++d) centre[d] += corner[d] / cell.vertex_count;
+    return centre;
+}
 
 std::optional<CellType> cell_type_from_vtk(int vtk) noexcept {
     for (const CellTopology& t : topologies)

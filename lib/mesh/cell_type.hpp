@@ -54,6 +54,12 @@ struct CellTopology {
 /// nullopt for a number that is not a supported VTK cell type.
 [[nodiscard]] std::optional<CellType> cell_type_from_vtk(int vtk) noexcept;
 
+/// The type of the same shape with the given order (1 or 2).
+[[nodiscard]] CellType with_order(CellType type, int order) noexcept;
+
+/// Mean of the corners of the reference cell.
+[[nodiscard]] std::array<double, 3> reference_centre(CellType type) noexcept;
+
 [[nodiscard]] inline int node_count(CellType type) noexcept { return topology(type).node_count; }
 [[nodiscard]] inline int dimension(CellType type) noexcept { return topology(type).dimension; }
 

@@ -30,14 +30,6 @@ double outside(Shape shape, const Xi& xi) {
     return lost;
 }
 
-Xi centre(CellType type) {
-    const CellTopology& t = topology(type);
-    Xi xi{};
-    for (int a = 0; a < t.vertex_count; ++a)
-        for (std::size_t i = 0; i < 3; ++i) xi[i] += t.nodes[static_cast<std::size_t>(a)][i] / t.vertex_count;
-    return xi;
-}
-
 /// Solves m d = r for the leading dimension x dimension block by Cramer's rule.
 Xi solve(int dimension, const std::array<double, 9>& m, const Xi& r, double determinant) {
     if (dimension == 2)
@@ -53,7 +45,7 @@ Xi solve(int dimension, const std::array<double, 9>& m, const Xi& r, double dete
 
 std::optional<Xi> reference_coordinates(const Mesh& mesh, Index cell, const Point& point) {
     const CellType type = mesh.cell_type(cell);
-    Xi xi = centre(type);
+    Xi xi = reference_centre(type);
     for (int i = 0; i < max_iterations; ++i) {
         const CellMap map = map_cell(mesh, cell, shape_values(type, xi));
         if (map.determinant == 0.0) return std::nullopt;

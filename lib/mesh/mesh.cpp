@@ -34,6 +34,22 @@ std::vector<Index> facet_nodes(const Mesh& mesh, const Facet& facet) {
 
 CellType facet_type(const Mesh& mesh, const Facet& facet) { return facet_topology(mesh, facet).type; }
 
+std::vector<Index> facet_corners(const Mesh& mesh, const Facet& facet) {
+    std::vector<Index> nodes = facet_nodes(mesh, facet);
+    nodes.resize(static_cast<std::size_t>(topology(facet_type(mesh, facet)).vertex_count));
+    return nodes;
+}
+
+std::int32_t region_number(Mesh& mesh, const std::string& name) {
+    auto found = std::ranges::find(mesh.region_names, name);
+    if (found == mesh.region_names.end()) found = mesh.region_names.insert(found, name);
+    return static_cast<std::int32_t>(found - mesh.region_names.begin());
+}
+
+const std::string& region_name(const Mesh& mesh, Index cell) {
+    return mesh.region_names[static_cast<std::size_t>(mesh.cell_regions[static_cast<std::size_t>(cell)])];
+}
+
 std::vector<Facet> boundary_facets(const Mesh& mesh) {
     struct Side {
         CornerKey key;

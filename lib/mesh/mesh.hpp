@@ -45,6 +45,13 @@ struct Mesh {
 [[nodiscard]] std::vector<Index> facet_nodes(const Mesh& mesh, const Facet& facet);
 [[nodiscard]] CellType facet_type(const Mesh& mesh, const Facet& facet);
 
+/// Index of the region of this name in region_names, which gets the name if it lacks it.
+[[nodiscard]] std::int32_t region_number(Mesh& mesh, const std::string& name);
+[[nodiscard]] const std::string& region_name(const Mesh& mesh, Index cell);
+
+/// Corner nodes of a facet, in its orientation.
+[[nodiscard]] std::vector<Index> facet_corners(const Mesh& mesh, const Facet& facet);
+
 /// All facets that belong to exactly one cell, in cell order.
 [[nodiscard]] std::vector<Facet> boundary_facets(const Mesh& mesh);
 

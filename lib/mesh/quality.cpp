@@ -11,37 +11,6 @@
 namespace soft::mesh {
 namespace {
 
-/// Shape functions at the reference nodes, one entry per node.
-using Samples = std::vector<std::vector<ShapeValue>>;
-
-Samples samples_of(CellType type) {
-    Samples samples;
-    for (const auto& xi : topology(type).nodes) samples.push_back(shape_values(type, xi));
-    return samples;
-}
-
-struct Range {
-    double min = std::numeric_limits<double>::infinity();
-    double max = -std::numeric_limits<double>::infinity();
-    Point min_position_m{};
-};
-
-Range range_of(const Mesh& mesh, Index cell, const Samples& samples) {
-    Range range;
-    for (const auto& shapes : samples) {
-        const CellMap map = map_cell(mesh, cell, shapes);
-        range.max = std::max(range.max, map.determinant);
-        if (map.determinant < range.min) {
-            range.min = map.determinant;
-            range.min_position_m = map.position;
-        }
-    }
-    return range;
-}
-
-/// -1 for a cell that is inverted everywhere: its quotient would be positive and look valid.
-double scaled(const Range& range) { return range.max > 0 ? range.min / range.max : -1.0; }
-
 std::string location_text(const Point& p) {
     std::string text = "(";
     for (std::size_t i = 0; i < 3; ++i) text += (i > 0 ? ", " : "") + core::rounded_text(1e3 * p[i], 5);
@@ -50,18 +19,37 @@ std::string location_text(const Point& p) {
 
 }  // namespace
 
+NodeShapes node_shapes(CellType type) {
+    NodeShapes shapes;
+    for (const auto& xi : topology(type).nodes) shapes.push_back(shape_values(type, xi));
+    return shapes;
+}
+
+ScaledJacobian scaled_jacobian(const Mesh& mesh, Index cell, const NodeShapes& shapes) {
+    double min = std::numeric_limits<double>::infinity(), max = -min;
+    ScaledJacobian result;
+    for (const auto& at_node : shapes) {
+        const CellMap map = map_cell(mesh, cell, at_node);
+        max = std::max(max, map.determinant);
+        if (!(map.determinant < min)) continue;
+        min = map.determinant;
+        result.position_m = map.position;
+    }
+    if (max > 0) result.value = min / max;
+    return result;
+}
+
 Quality quality(const Mesh& mesh) {
-    std::map<CellType, Samples> tables;
+    std::map<CellType, NodeShapes> tables;
     Quality result;
     double sum = 0;
     for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
         const CellType type = mesh.cell_type(cell);
         auto table = tables.find(type);
-        if (table == tables.end()) table = tables.emplace(type, samples_of(type)).first;
-        const Range range = range_of(mesh, cell, table->second);
-        const double value = scaled(range);
+        if (table == tables.end()) table = tables.emplace(type, node_shapes(type)).first;
+        const auto [value, position_m] = scaled_jacobian(mesh, cell, table->second);
         sum += value;
-        if (value < result.min_scaled_jacobian || cell == 0) result = {value, 0, cell, range.min_position_m};
+        if (value < result.min_scaled_jacobian || cell == 0) result = {value, 0, cell, position_m};
     }
     if (mesh.cell_count() > 0) result.mean_scaled_jacobian = sum / static_cast<double>(mesh.cell_count());
     if (!(result.min_scaled_jacobian > 0))

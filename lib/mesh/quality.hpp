@@ -4,8 +4,20 @@
 /// Tested by mesh/quality_test.
 #include "core/error.hpp"
 #include "mesh/mesh.hpp"
+#include "mesh/shape.hpp"
 
 namespace soft::mesh {
+
+/// Shape functions at the reference nodes, one entry per node.
+using NodeShapes = std::vector<std::vector<ShapeValue>>;
+[[nodiscard]] NodeShapes node_shapes(CellType type);
+
+struct ScaledJacobian {
+    double value = -1;   ///< -1 for a cell that is inverted everywhere: its quotient would be positive and look valid
+    Point position_m{};  ///< of the smallest determinant
+};
+/// `shapes` = node_shapes(type of the cell).
+[[nodiscard]] ScaledJacobian scaled_jacobian(const Mesh& mesh, Index cell, const NodeShapes& shapes);
 
 struct Quality {
     double min_scaled_jacobian = 1;

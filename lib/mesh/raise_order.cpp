@@ -7,24 +7,6 @@
 namespace soft::mesh {
 namespace {
 
-CellType of_order(CellType type, int order) {
-    switch (type) {
-        case CellType::line2:
-        case CellType::line3: return order == 1 ? CellType::line2 : CellType::line3;
-        case CellType::triangle3:
-        case CellType::triangle6: return order == 1 ? CellType::triangle3 : CellType::triangle6;
-        case CellType::quad4:
-        case CellType::quad9: return order == 1 ? CellType::quad4 : CellType::quad9;
-        case CellType::tet4:
-        case CellType::tet10: return order == 1 ? CellType::tet4 : CellType::tet10;
-        case CellType::hex8:
-        case CellType::hex27: return order == 1 ? CellType::hex8 : CellType::hex27;
-        case CellType::wedge6:
-        case CellType::wedge18: return order == 1 ? CellType::wedge6 : CellType::wedge18;
-    }
-    return type;
-}
-
 /// Everything but points and cells.
 Mesh frame_of(const Mesh& mesh) {
     Mesh result;
@@ -76,7 +58,7 @@ Mesh raise_order(const Mesh& mesh) {
     result.points = mesh.points;
     std::map<CellType, MidNodes> tables;
     for (const CellType type : mesh.cell_types) {
-        const CellType raised = of_order(type, 2);
+        const CellType raised = with_order(type, 2);
         if (!tables.contains(raised)) tables.emplace(raised, mid_nodes_of(raised));
     }
     SharedNodes shared;
@@ -84,7 +66,7 @@ Mesh raise_order(const Mesh& mesh) {
     std::vector<Index> nodes;
     for (Index c = 0; c < mesh.cell_count(); ++c) {
         const auto old = mesh.cell_nodes(c);
-        const CellType raised = of_order(mesh.cell_type(c), 2);
+        const CellType raised = with_order(mesh.cell_type(c), 2);
         nodes.assign(old.begin(), old.end());
         if (raised != mesh.cell_type(c)) {
             for (const auto& corners : tables.at(raised)) {
@@ -115,7 +97,7 @@ Mesh lower_order(const Mesh& mesh) {
     }
     std::vector<Index> nodes;
     for (Index c = 0; c < mesh.cell_count(); ++c) {
-        const CellType lowered = of_order(mesh.cell_type(c), 1);
+        const CellType lowered = with_order(mesh.cell_type(c), 1);
         nodes.clear();
         for (const Index corner : mesh.cell_nodes(c).first(static_cast<std::size_t>(node_count(lowered))))
             nodes.push_back(numbers[static_cast<std::size_t>(corner)]);

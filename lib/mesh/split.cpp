@@ -123,10 +123,8 @@ Mesh split_into_simplices(const Mesh& mesh) {
     for (const auto& [name, facets] : mesh.facet_sets) {
         auto& set = split.facet_sets[name];
         for (const Facet& facet : facets) {
-            auto corners = facet_nodes(mesh, facet);
-            corners.resize(static_cast<std::size_t>(topology(facet_type(mesh, facet)).vertex_count));
             const auto c = static_cast<std::size_t>(facet.cell);
-            append_child_facets(split, first_of[c], first_of[c + 1], corners, set);
+            append_child_facets(split, first_of[c], first_of[c + 1], facet_corners(mesh, facet), set);
         }
     }
     return split;

@@ -9,6 +9,8 @@
 
 #include "core/error.hpp"
 #include "mesh/cell_map.hpp"
+#include "mesh/disjoint_sets.hpp"
+#include "mesh/quality.hpp"
 #include "mesh/raise_order.hpp"
 #include "meshing/gmsh_session.hpp"
 #include "meshing/section_mesher.hpp"
@@ -23,20 +25,15 @@ constexpr double mm = 1e3;  // gmsh's tolerances assume lengths of order 1
 
 /// The shell number of each triangle of a closed surface, numbered in the order of the first triangles.
 std::vector<int> shells_of(const Remeshed& surface) {
-    std::vector<int> parent(surface.points.size());
-    for (std::size_t p = 0; p < parent.size(); ++p) parent[p] = static_cast<int>(p);
-    const auto root = [&](int p) {
-        auto at = static_cast<std::size_t>(p);
-        while (parent[at] != static_cast<int>(at))
-            at = static_cast<std::size_t>(parent[at] = parent[static_cast<std::size_t>(parent[at])]);
-        return static_cast<int>(at);
-    };
+    mesh::DisjointSets groups(surface.points.size());
+    const auto corner = [](const auto& t, std::size_t k) { return static_cast<std::size_t>(t[k]); };
     for (const auto& t : surface.triangles)
-        for (std::size_t k = 1; k < 3; ++k) parent[static_cast<std::size_t>(root(t[k]))] = root(t[0]);
-    std::map<int, int> numbers;
+        for (std::size_t k = 1; k < 3; ++k) groups.unite(corner(t, k), corner(t, 0));
+    std::map<std::size_t, int> numbers;
     std::vector<int> shells;
     for (const auto& t : surface.triangles)
-        shells.push_back(numbers.try_emplace(root(t[0]), static_cast<int>(numbers.size())).first->second);
+        shells.push_back(
+            numbers.try_emplace(groups.first(corner(t, 0)), static_cast<int>(numbers.size())).first->second);
     return shells;
 }
 
@@ -121,17 +118,6 @@ std::map<Index, mesh::Point> mid_node_targets(const mesh::Mesh& mesh, const Reme
     return targets;
 }
 
-/// Ratio of the smallest to the largest Jacobian determinant at the nodes of a cell.
-double jacobian_ratio(const mesh::Mesh& mesh, Index cell, const std::vector<std::vector<mesh::ShapeValue>>& shapes) {
-    double min = INFINITY, max = -INFINITY;
-    for (const auto& at_node : shapes) {
-        const double determinant = map_cell(mesh, cell, at_node).determinant;
-        min = std::min(min, determinant);
-        max = std::max(max, determinant);
-    }
-    return max > 0 ? min / max : -1;
-}
-
 /// Moves mid nodes to their targets, as far as the cells around them stay valid.
 void curve(mesh::Mesh& mesh, const std::map<Index, mesh::Point>& targets) {
     constexpr double min_ratio = 0.2;  // quadrature is inaccurate in a cell whose Jacobian varies more than fivefold
@@ -140,9 +126,7 @@ void curve(mesh::Mesh& mesh, const std::map<Index, mesh::Point>& targets) {
     for (Index cell = 0; cell < mesh.cell_count(); ++cell)
         for (const Index node : mesh.cell_nodes(cell))
             if (targets.contains(node)) cells[node].push_back(cell);
-    std::vector<std::vector<mesh::ShapeValue>> shapes;
-    for (const auto& node : mesh::topology(mesh::CellType::tet10).nodes)
-        shapes.push_back(mesh::shape_values(mesh::CellType::tet10, node));
+    const mesh::NodeShapes shapes = mesh::node_shapes(mesh::CellType::tet10);
     const std::vector<mesh::Point> straight = mesh.points;
     std::map<Index, double> shares;
     for (const auto& [node, target] : targets) shares[node] = 1;
@@ -157,7 +141,8 @@ void curve(mesh::Mesh& mesh, const std::map<Index, mesh::Point>& targets) {
         std::set<Index> back;
         for (const auto& [node, around] : cells)
             for (const Index cell : around)
-                if (shares.at(node) > 0 && jacobian_ratio(mesh, cell, shapes) < min_ratio) back.insert(node);
+                if (shares.at(node) > 0 && mesh::scaled_jacobian(mesh, cell, shapes).value < min_ratio)
+                    back.insert(node);
         if (back.empty()) return;
         for (const Index node : back) {
             double& share = shares.at(node);
@@ -184,7 +169,7 @@ void name_facets(mesh::Mesh& mesh, const BodySurface& body, const std::vector<Na
 
 mesh::Mesh mesh_inside(const MeshedBody& body, const SizeAt& size_m) {
     constexpr std::size_t max_points =
-        200000;  // on the surface; they give a million tetrahedra or more, too many to solve
+        200000;  // on the surface: more give over a million tetrahedra, too many to solve
     constexpr int attempts = 3;
     const Creases creases = creases_of(body.surface, body.faces);
     double factor = 1;

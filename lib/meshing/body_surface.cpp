@@ -128,6 +128,19 @@ std::string counted(std::size_t count, const std::string& one, const std::string
     return std::to_string(count) + " " + (count == 1 ? one : several);
 }
 
+TriangleGeometry triangle_geometry(const std::vector<mesh::Point>& points, const std::array<int, 3>& t) {
+    const auto at = [&](std::size_t k) -> const mesh::Point& { return points[static_cast<std::size_t>(t[k])]; };
+    TriangleGeometry result;
+    const Vector3 twice_area = cross(along(at(1), -1, at(0)), along(at(2), -1, at(0)));
+    const double length = norm(twice_area);
+    result.area = length / 2;
+    for (std::size_t d = 0; d < 3; ++d) {
+        result.normal[d] = length > 0 ? twice_area[d] / length : 0;
+        result.centre[d] = (at(0)[d] + at(1)[d] + at(2)[d]) / 3;
+    }
+    return result;
+}
+
 double BodySurface::volume_m3() const {
     double sum = 0;
     for (std::size_t t = 0; t < triangles.size(); ++t)
@@ -137,10 +150,7 @@ double BodySurface::volume_m3() const {
 
 double BodySurface::area_m2() const {
     double sum = 0;
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-        sum += norm(cross(along(corner(*this, t, 1), -1, corner(*this, t, 0)),
-                          along(corner(*this, t, 2), -1, corner(*this, t, 0)))) /
-               2;
+    for (const auto& t : triangles) sum += triangle_geometry(points, t).area;
     return sum;
 }
 

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "math/vector.hpp"
 #include "mesh/mesh.hpp"
 
 namespace soft::meshing {
@@ -22,6 +23,13 @@ struct Shell {
     double volume_m3 = 0;  ///< enclosed by the shell, positive
     mesh::Point inside{};  ///< centre of its bounding box, for messages [m]
 };
+
+struct TriangleGeometry {
+    Vector3 normal{};  ///< unit; zero for a degenerate triangle
+    double area = 0;
+    mesh::Point centre{};
+};
+[[nodiscard]] TriangleGeometry triangle_geometry(const std::vector<mesh::Point>& points, const std::array<int, 3>& t);
 
 struct BodySurface {
     std::vector<mesh::Point> points;            ///< [m]

@@ -21,28 +21,9 @@ using Search = CGAL::Orthogonal_k_neighbor_search<CGAL::Search_traits_3<Kernel>>
 
 constexpr double growth = 0.5;  ///< increase of the requested size per distance
 
-struct Facet {
-    std::array<mesh::Point, 3> corners;
-    Vector3 normal;  ///< unit
-    double area;
-};
-
-Facet facet_of(const std::vector<mesh::Point>& points, const std::array<int, 3>& t) {
-    Facet facet{{points[static_cast<std::size_t>(t[0])], points[static_cast<std::size_t>(t[1])],
-                 points[static_cast<std::size_t>(t[2])]},
-                {},
-                0};
-    const auto& [a, b, c] = facet.corners;
-    facet.normal = cross(along(b, -1, a), along(c, -1, a));
-    const double length = norm(facet.normal);
-    for (double& component : facet.normal) component /= length > 0 ? length : 1;
-    facet.area = length / 2;
-    return facet;
-}
-
 /// Evenly distributed points in a triangle: the low-discrepancy sequence of the plastic number (M. Roberts, 2018), folded into the
 /// triangle.
-mesh::Point point_in(const Facet& facet, std::size_t number) {
+mesh::Point point_in(const std::vector<mesh::Point>& points, const std::array<int, 3>& t, std::size_t number) {
     constexpr double g = 1.3247179572447460;
     double u = std::fmod(1.0 / 3 + static_cast<double>(number) / g, 1.0),
            v = std::fmod(1.0 / 3 + static_cast<double>(number) / (g * g), 1.0);
@@ -52,7 +33,8 @@ mesh::Point point_in(const Facet& facet, std::size_t number) {
     }
     mesh::Point p{};
     for (std::size_t d = 0; d < 3; ++d)
-        p[d] = (1 - u - v) * facet.corners[0][d] + u * facet.corners[1][d] + v * facet.corners[2][d];
+        p[d] = (1 - u - v) * points[static_cast<std::size_t>(t[0])][d] + u * points[static_cast<std::size_t>(t[1])][d] +
+               v * points[static_cast<std::size_t>(t[2])][d];
     return p;
 }
 
@@ -62,22 +44,22 @@ std::vector<Wall> walls(const std::vector<mesh::Point>& points, const std::vecto
     constexpr double sample_count = 20000;  // takes a few seconds; a bellows of 100 mm has one sample every 2 mm
     constexpr double min_cosine = 0.5;
     surface::Triangles surface{points, triangles, {}, points, {}};
-    std::vector<Facet> facets;
+    std::vector<TriangleGeometry> facets;
     double area = 0;
     for (const auto& t : triangles) {
         surface.facets.push_back(static_cast<int>(facets.size()));
-        facets.push_back(facet_of(points, t));
+        facets.push_back(triangle_geometry(points, t));
         area += facets.back().area;
     }
     const surface::RayTree tree(surface);
     std::vector<Wall> found;
     double share = 0;  // fraction of a sample carried over from the previous facets
     for (std::size_t f = 0; f < facets.size(); ++f) {
-        const Facet& facet = facets[f];
+        const TriangleGeometry& facet = facets[f];
         share += sample_count * facet.area / area;
         const Vector3 inward{-facet.normal[0], -facet.normal[1], -facet.normal[2]};
         for (std::size_t number = 0; share >= 0.5; share -= 1, ++number) {
-            const mesh::Point location = point_in(facet, number);
+            const mesh::Point location = point_in(points, triangles[f], number);
             const auto hit = tree.first_hit(location, inward, static_cast<int>(f));
             if (hit && dot(facets[static_cast<std::size_t>(hit->facet)].normal, inward) >= min_cosine)
                 found.push_back({location, hit->distance_m});
@@ -87,12 +69,12 @@ std::vector<Wall> walls(const std::vector<mesh::Point>& points, const std::vecto
 }
 
 std::vector<Bend> bends(const BodySurface& surface) {
-    std::vector<Facet> facets;
-    for (const auto& t : surface.triangles) facets.push_back(facet_of(surface.points, t));
+    std::vector<TriangleGeometry> facets;
+    for (const auto& t : surface.triangles) facets.push_back(triangle_geometry(surface.points, t));
     constexpr double max_samples = 200;  // per edge: CAD exports have edges as long as a cylinder
     std::vector<Bend> found;
     for (const auto& [edge, sides] : edges_with_sides(surface)) {
-        const Facet &one = facets[sides[0]], &other = facets[sides[1]];
+        const TriangleGeometry &one = facets[sides[0]], &other = facets[sides[1]];
         const double angle = std::atan2(norm(cross(one.normal, other.normal)), dot(one.normal, other.normal));
         const mesh::Point &a = surface.points[static_cast<std::size_t>(edge[0])],
                           &b = surface.points[static_cast<std::size_t>(edge[1])];

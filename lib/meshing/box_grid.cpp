@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "mesh/raise_order.hpp"
-#include "meshing/regions.hpp"
 #include "meshing/section.hpp"
 
 namespace soft::meshing {

@@ -1,6 +1,7 @@
 #pragma once
 /// A section extruded along x with a cap at both ends; its chamber regions are hollow between the caps.
 /// Tested by geometry/segment_test and geometry/fiber_tube_test (volumes in closed form).
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,5 +20,9 @@ struct Capped {
 /// The section is in (y, z). Its regions whose names begin with `chamber` become cavities with faces of the same names; within the
 /// caps they are rubber.
 [[nodiscard]] mesh::Mesh capped(const Section& section, const Capped& shape, const std::string& chamber);
+
+/// `block` without some of its cells. `cavity` maps a cell to the face of the cavity that replaces it, or to an empty string for a
+/// cell that remains. Facet sets keep the facets of remaining cells. Regions and points without a cell are removed.
+[[nodiscard]] mesh::Mesh hollowed(const mesh::Mesh& block, const std::function<std::string(mesh::Index cell)>& cavity);
 
 }  // namespace soft::meshing

@@ -12,8 +12,8 @@ namespace {
 
 /// Sagitta of an arc of 15 degrees over its chord: the angle [rad] of an arc is 8 times this ratio.
 constexpr double max_sagitta_ratio = 0.033;
-constexpr int max_halvings =
-    6;  // enough for a facet that spans up to 90 degrees of a circle and a deviation of at least 1e-4 of it
+/// Enough for a facet that spans up to 90 degrees of a circle and a deviation of at least 1e-4 of it.
+constexpr int max_halvings = 6;
 
 struct Corner {
     int point;
@@ -30,7 +30,7 @@ public:
         const surface::FacetMap map = surface::facet_map(mesh_, facet, mesh_.points);
         const auto nodes = facet_nodes(mesh_, facet);
         const auto& reference = mesh::topology(map.type).nodes;
-        for (const auto& triangle : facet_division(map.type)) {
+        for (const auto& triangle : surface::facet_division(map.type)) {
             Piece piece;
             for (std::size_t k = 0; k < 3; ++k) {
                 const auto a = static_cast<std::size_t>(triangle[k]);
@@ -73,15 +73,6 @@ public:
     }
 
 private:
-    static std::vector<std::array<int, 3>> facet_division(mesh::CellType type) {
-        switch (type) {
-            case mesh::CellType::triangle3: return {{0, 1, 2}};
-            case mesh::CellType::triangle6: return {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
-            case mesh::CellType::quad4: return {{0, 1, 2}, {0, 2, 3}};
-            default: return {{0, 4, 8}, {4, 1, 8}, {1, 5, 8}, {5, 2, 8}, {2, 6, 8}, {6, 3, 8}, {3, 7, 8}, {7, 0, 8}};
-        }
-    }
-
     int node(mesh::Index number) {
         const auto [found, fresh] = nodes_.try_emplace(number, static_cast<int>(surface_.points.size()));
         if (fresh) surface_.points.push_back(mesh_.point(number));

@@ -45,8 +45,8 @@ public:
 
     virtual void add_spline(int tag, std::vector<int> points) = 0;  ///< uniform Catmull-Rom
     virtual void add_loop(int tag, std::vector<int> curves) = 0;
-    virtual void add_plane(int tag,
-                           std::vector<int> loops) = 0;  ///< the first loop is the outer one, the others surround holes
+    /// The first loop is the outer one, the others surround holes.
+    virtual void add_plane(int tag, std::vector<int> loops) = 0;
     /// Meshes everything that was added with linear cells of the given length: triangles, or quadrilaterals and the triangles that
     /// cannot be paired. Does not report failures: the caller checks whether the cells cover the section.
     enum class Free { triangles, quadrilaterals };

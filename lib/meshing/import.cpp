@@ -92,14 +92,6 @@ private:
         return name;
     }
 
-    std::int32_t region(const std::string& name) {
-        auto& names = result_.region_names;
-        const auto found = std::find(names.begin(), names.end(), name);
-        if (found != names.end()) return static_cast<std::int32_t>(found - names.begin());
-        names.push_back(name);
-        return static_cast<std::int32_t>(names.size()) - 1;
-    }
-
     [[nodiscard]] Index node_of(const MshBlock& block, std::size_t element_number, std::size_t tag) const {
         const auto found = numbers_.find(tag);
         if (found == numbers_.end())
@@ -115,9 +107,9 @@ private:
             if (block.groups.size() > 1)
                 refuse("element " + std::to_string(block.tags.front()) + " belongs to several physical groups of cells",
                        "put each part in one group only");
-            const std::int32_t own =
-                region(block.groups.empty() ? rubber_region
-                                            : group_name(result_.dimension, block.groups.front(), rubber_region));
+            const std::int32_t own = region_number(
+                result_, block.groups.empty() ? rubber_region
+                                              : group_name(result_.dimension, block.groups.front(), rubber_region));
             add_cells(block, type, own);
         }
         const auto order_of = [](mesh::CellType type) { return mesh::topology(type).order; };
@@ -197,12 +189,7 @@ private:
     void reorient_mirrored() {
         std::map<int, bool> mirrored;
         for (Index c = 0; c < result_.cell_count(); ++c) {
-            const mesh::CellTopology& cell = mesh::topology(result_.cell_type(c));
-            std::array<double, 3> centre{};
-            for (int v = 0; v < cell.vertex_count; ++v)
-                for (std::size_t d = 0; d < 3; ++d)
-                    centre[d] += cell.nodes[static_cast<std::size_t>(v)][d] / cell.vertex_count;
-            const bool negative = determinant_at(c, centre) < 0;
+            const bool negative = determinant_at(c, mesh::reference_centre(result_.cell_type(c))) < 0;
             const auto entry = mirrored.try_emplace(cell_entities_[static_cast<std::size_t>(c)], negative).first;
             entry->second = entry->second && negative;
         }
@@ -226,17 +213,11 @@ private:
                         "remesh with other sizes, or optimise the mesh (Gmsh: Tools, or Mesh.Optimize, Mesh.HighOrderOptimize)");
     }
 
-    [[nodiscard]] std::vector<Index> corners_of(const mesh::Facet& facet) const {
-        std::vector<Index> nodes = facet_nodes(result_, facet);
-        nodes.resize(static_cast<std::size_t>(mesh::topology(facet_type(result_, facet)).vertex_count));
-        return nodes;
-    }
-
     void find_sides() {
         for (Index c = 0; c < result_.cell_count(); ++c) {
             const auto count = static_cast<int>(mesh::topology(result_.cell_type(c)).facets.size());
             for (int local = 0; local < count; ++local) {
-                std::vector<mesh::Facet>& cells = sides_[key_of(corners_of({c, local}))];
+                std::vector<mesh::Facet>& cells = sides_[key_of(facet_corners(result_, {c, local}))];
                 cells.push_back({c, local});
                 if (cells.size() > 2)
                     refuse(

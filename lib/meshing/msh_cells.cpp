@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 #include <stdexcept>
+#include <string_view>
 
 #include "mesh/shape.hpp"
 
@@ -11,36 +12,27 @@ namespace {
 
 using Corners = std::vector<int>;
 
+/// Lists of digits, separated by blanks.
+std::vector<Corners> corner_lists(std::string_view text) {
+    std::vector<Corners> lists(1);
+    for (const char c : text)
+        if (c == ' ')
+            lists.emplace_back();
+        else
+            lists.back().push_back(c - '0');
+    return lists;
+}
+
 /// Mid nodes in Gmsh's order, each given by the corners of which it is the mean (reference manual, 'Node ordering').
 std::vector<Corners> gmsh_mid_nodes(mesh::Shape shape) {
     switch (shape) {
-        case mesh::Shape::line: return {{0, 1}};
-        case mesh::Shape::triangle: return {{0, 1}, {1, 2}, {2, 0}};
-        case mesh::Shape::quadrilateral: return {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 1, 2, 3}};
-        case mesh::Shape::tetrahedron: return {{0, 1}, {1, 2}, {2, 0}, {3, 0}, {2, 3}, {1, 3}};
+        case mesh::Shape::line: return corner_lists("01");
+        case mesh::Shape::triangle: return corner_lists("01 12 20");
+        case mesh::Shape::quadrilateral: return corner_lists("01 12 23 30 0123");
+        case mesh::Shape::tetrahedron: return corner_lists("01 12 20 30 23 13");
         case mesh::Shape::hexahedron:
-            return {{0, 1},
-                    {0, 3},
-                    {0, 4},
-                    {1, 2},
-                    {1, 5},
-                    {2, 3},
-                    {2, 6},
-                    {3, 7},
-                    {4, 5},
-                    {4, 7},
-                    {5, 6},
-                    {6, 7},
-                    {0, 3, 2, 1},
-                    {0, 1, 5, 4},
-                    {0, 4, 7, 3},
-                    {1, 2, 6, 5},
-                    {2, 3, 7, 6},
-                    {4, 5, 6, 7},
-                    {0, 1, 2, 3, 4, 5, 6, 7}};
-        case mesh::Shape::wedge:
-            return {{0, 1}, {0, 2}, {0, 3}, {1, 2},       {1, 4},       {2, 5},
-                    {3, 4}, {3, 5}, {4, 5}, {0, 1, 4, 3}, {0, 3, 5, 2}, {1, 2, 5, 4}};
+            return corner_lists("01 03 04 12 15 23 26 37 45 47 56 67 0321 0154 0473 1265 2376 4567 01234567");
+        case mesh::Shape::wedge: return corner_lists("01 02 03 12 14 25 34 35 45 0143 0352 1254");
     }
     return {};
 }

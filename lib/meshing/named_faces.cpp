@@ -14,13 +14,7 @@ namespace {
 using Edge = std::array<int, 2>;
 
 Vector3 unit_normal(const BodySurface& surface, std::size_t t) {
-    const auto corner = [&](std::size_t k) {
-        return surface.points[static_cast<std::size_t>(surface.triangles[t][k])];
-    };
-    Vector3 n = cross(along(corner(1), -1, corner(0)), along(corner(2), -1, corner(0)));
-    const double length = norm(n);
-    for (double& component : n) component /= length;
-    return n;
+    return triangle_geometry(surface.points, surface.triangles[t]).normal;
 }
 
 bool is_sharp(const BodySurface& surface, const std::array<std::size_t, 2>& sides) {
@@ -106,13 +100,6 @@ std::map<Edge, std::array<std::size_t, 2>> edges_with_sides(const BodySurface& s
             if (!fresh) entry->second[1] = t;
         }
     return found;
-}
-
-Creases sharp_edges(const BodySurface& surface) {
-    Creases edges;
-    for (const auto& [edge, sides] : edges_with_sides(surface))
-        if (is_sharp(surface, sides)) edges.push_back(edge);
-    return edges;
 }
 
 std::vector<NamedFace> named_faces(const BodySurface& surface, const std::vector<FaceRule>& rules) {

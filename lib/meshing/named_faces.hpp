@@ -18,9 +18,6 @@ inline constexpr double sharp_rad = 0.6981317007977318;  // 40 degrees
 /// The two triangles of each edge (points of the edge ascending).
 [[nodiscard]] std::map<std::array<int, 2>, std::array<std::size_t, 2>> edges_with_sides(const BodySurface& surface);
 
-/// Edges whose facets' normals differ by more than sharp_rad, ascending.
-[[nodiscard]] Creases sharp_edges(const BodySurface& surface);
-
 /// A facet belongs to the face if it satisfies every condition that is given.
 struct FaceRule {
     struct Plane {

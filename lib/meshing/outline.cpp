@@ -265,7 +265,7 @@ bool is_inside(const std::vector<OutlinePiece>& pieces, PlanePoint point) {
     return inside;
 }
 
-double extent_m(const Outline& outline) {
+PlanePoint extents_m(const Outline& outline) {
     PlanePoint low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
     for (const Loop& loop : outline.loops)
         for (const OutlineEdge& edge : loop)
@@ -274,7 +274,12 @@ double extent_m(const Outline& outline) {
                     low[d] = std::min(low[d], p[d]);
                     high[d] = std::max(high[d], p[d]);
                 }
-    return std::max(high[0] - low[0], high[1] - low[1]);
+    return minus(high, low);
+}
+
+double extent_m(const Outline& outline) {
+    const PlanePoint sides = extents_m(outline);
+    return std::max(sides[0], sides[1]);
 }
 
 std::optional<OutlineFault> fault_of(const Outline& outline) {

@@ -62,6 +62,8 @@ struct OutlinePiece {
 
 [[nodiscard]] bool is_inside(const std::vector<OutlinePiece>& pieces, PlanePoint point);
 
+/// Sides of the bounding box of its points, and the longer one.
+[[nodiscard]] PlanePoint extents_m(const Outline& outline);
 [[nodiscard]] double extent_m(const Outline& outline);
 
 /// Lengths below this share of the extent count as zero: points coincide, edges touch.

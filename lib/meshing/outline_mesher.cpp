@@ -181,17 +181,9 @@ struct PoorCells {
 PoorCells poor_cells(const mesh::Mesh& mesh) {
     constexpr double poor_quality = 0.1;
     PoorCells poor;
-    std::vector<std::vector<mesh::ShapeValue>> shapes;
-    for (const auto& node : mesh::topology(mesh.cell_types.front()).nodes)
-        shapes.push_back(mesh::shape_values(mesh.cell_types.front(), node));
+    const mesh::NodeShapes shapes = mesh::node_shapes(mesh.cell_types.front());
     for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
-        double min = INFINITY, max = -INFINITY;
-        for (const auto& at_node : shapes) {
-            const double determinant = map_cell(mesh, cell, at_node).determinant;
-            min = std::min(min, determinant);
-            max = std::max(max, determinant);
-        }
-        const double quality = max > 0 ? min / max : -1.0;
+        const double quality = mesh::scaled_jacobian(mesh, cell, shapes).value;
         const mesh::Point& corner = mesh.point(mesh.cell_nodes(cell).front());
         if (quality < poor_quality) poor.positions.push_back({corner[0], corner[1]});
         poor.min_quality = std::min(poor.min_quality, quality);

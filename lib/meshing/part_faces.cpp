@@ -13,35 +13,11 @@ namespace {
 
 using mesh::Point;
 
-struct FacetGeometry {
-    Vector3 normal{};
-    double area = 0;
-    Point centre{};
-};
-
-std::vector<FacetGeometry> facet_geometries(const BodySurface& surface) {
-    std::vector<FacetGeometry> all;
-    for (const auto& t : surface.triangles) {
-        const Point &a = surface.points[static_cast<std::size_t>(t[0])],
-                    &b = surface.points[static_cast<std::size_t>(t[1])],
-                    &c = surface.points[static_cast<std::size_t>(t[2])];
-        FacetGeometry& one = all.emplace_back();
-        one.normal = cross(along(b, -1, a), along(c, -1, a));
-        const double length = norm(one.normal);
-        one.area = length / 2;
-        for (std::size_t d = 0; d < 3; ++d) {
-            one.normal[d] = length > 0 ? one.normal[d] / length : 0;
-            one.centre[d] = (a[d] + b[d] + c[d]) / 3;
-        }
-    }
-    return all;
-}
-
 /// Divides the facets of a surface into regions.
 class Regions {
 public:
-    explicit Regions(const BodySurface& surface)
-        : surface_(surface), facets_(facet_geometries(surface)), region_(surface.triangles.size(), none) {
+    explicit Regions(const BodySurface& surface) : surface_(surface), region_(surface.triangles.size(), none) {
+        for (const auto& t : surface.triangles) facets_.push_back(triangle_geometry(surface.points, t));
         around_.resize(surface.triangles.size());
         for (const auto& [edge, sides] : edges_with_sides(surface)) {
             around_[sides[0]].push_back(sides[1]);
@@ -87,7 +63,7 @@ private:
         std::vector<std::vector<std::size_t>> regions;
         for (const std::size_t seed : order) {
             if (region_[seed] != none) continue;
-            const FacetGeometry& plane = facets_[seed];
+            const TriangleGeometry& plane = facets_[seed];
             regions.push_back(flood(seed, regions.size(), [&](std::size_t, std::size_t next) {
                 if (dot(facets_[next].normal, plane.normal) < parallel) return false;
                 return std::ranges::all_of(surface_.triangles[next], [&](int corner) {
@@ -191,7 +167,7 @@ private:
         face.direction = axis;
         face.radius_m = radius;
         for (std::size_t d = 0; d < 3; ++d) face.centre[d] = a * u[d] + b * v[d] + 0.5 * (low + high) * axis[d];
-        const FacetGeometry& one = facets_[face.facets.front()];
+        const TriangleGeometry& one = facets_[face.facets.front()];
         face.is_bore = dot(one.normal, along(one.centre, -1, face.centre)) < 0;
     }
 
@@ -229,7 +205,7 @@ private:
     }
 
     const BodySurface& surface_;
-    std::vector<FacetGeometry> facets_;
+    std::vector<TriangleGeometry> facets_;
     std::vector<std::vector<std::size_t>> around_;
     std::vector<std::size_t> region_;
     std::vector<PartFace> faces_;

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
+
+#include "mesh/disjoint_sets.hpp"
 
 namespace soft::meshing {
 namespace {
@@ -11,20 +12,13 @@ using mesh::Index;
 
 /// Groups the facets by connected piece.
 std::vector<std::vector<mesh::Facet>> pieces_of(const mesh::Mesh& mesh, const std::vector<mesh::Facet>& facets) {
-    std::vector<std::size_t> parent(facets.size());
-    std::iota(parent.begin(), parent.end(), std::size_t{0});
-    const auto root = [&](std::size_t f) {
-        while (parent[f] != f) f = parent[f] = parent[parent[f]];
-        return f;
-    };
+    mesh::DisjointSets groups(facets.size());
     std::map<Index, std::size_t> first_at;  // node -> a facet there
     for (std::size_t f = 0; f < facets.size(); ++f)
-        for (const Index node : facet_nodes(mesh, facets[f])) {
-            const auto [other, fresh] = first_at.try_emplace(node, f);
-            if (!fresh) parent[std::max(root(f), root(other->second))] = std::min(root(f), root(other->second));
-        }
+        for (const Index node : facet_nodes(mesh, facets[f]))
+            groups.unite(first_at.try_emplace(node, f).first->second, f);
     std::map<std::size_t, std::vector<mesh::Facet>> pieces;
-    for (std::size_t f = 0; f < facets.size(); ++f) pieces[root(f)].push_back(facets[f]);
+    for (std::size_t f = 0; f < facets.size(); ++f) pieces[groups.first(f)].push_back(facets[f]);
     std::vector<std::vector<mesh::Facet>> result;
     for (auto& [first, piece] : pieces) result.push_back(std::move(piece));
     return result;

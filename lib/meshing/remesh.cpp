@@ -41,13 +41,7 @@ class Remesher {
 public:
     Remesher(const BodySurface& surface, const Creases& creases, const SizeAt& size_m)
         : size_m_(size_m), original_(surface.points, surface.triangles) {
-        for (const auto& t : surface.triangles) {
-            const Vector3 n = area_vector({surface.points[static_cast<std::size_t>(t[0])],
-                                           surface.points[static_cast<std::size_t>(t[1])],
-                                           surface.points[static_cast<std::size_t>(t[2])]});
-            const double length = norm(n);
-            normals_.push_back({n[0] / length, n[1] / length, n[2] / length});
-        }
+        for (const auto& t : surface.triangles) normals_.push_back(triangle_geometry(surface.points, t).normal);
         if (!creases.empty()) lines_.emplace(surface.points, creases);
         std::vector<Vertex> vertices;
         for (const Point& p : surface.points) vertices.push_back(mesh_.add_vertex({p[0], p[1], p[2]}));

@@ -94,6 +94,17 @@ Section rectangle(const Rectangle& shape) {
     return s;
 }
 
+void add_quarter_ring(Section& section, const QuarterRing& ring) {
+    const auto at = [&](double x, double r) { return add_point(section, {ring.origin_m + ring.sign * x, r}); };
+    const int centre = at(0, 0);
+    const int a = at(ring.inner_m, 0), b = at(ring.outer_m, 0), c = at(0, ring.outer_m), d = at(0, ring.inner_m);
+    add_graded_line(section, {a, b}, ring.through, ring.grading, {ring.low});
+    add_arc(section, {b, c}, centre, ring.around, {ring.outer});
+    add_graded_line(section, {c, d}, ring.through, 1 / ring.grading, {ring.high});
+    add_arc(section, {d, a}, centre, ring.around, {ring.inner});
+    add_block(section, {{{a, b}, {b, c}, {c, d}, {d, a}}}, ring.region);
+}
+
 void check(const Section& section) {
     for (std::size_t b = 0; b < section.blocks.size(); ++b) {
         const auto& sides = section.blocks[b].sides;

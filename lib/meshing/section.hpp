@@ -28,8 +28,8 @@ struct Curve {
 /// end of the previous one.
 struct Block {
     std::array<std::vector<int>, 4> sides;
-    std::string region =
-        "rubber";  ///< region of its cells; blocks of different regions are bonded where they share a curve
+    /// Region of its cells. Blocks of different regions are bonded where they share a curve.
+    std::string region = "rubber";
 };
 
 struct Section {
@@ -76,6 +76,20 @@ struct Rectangle {
     std::vector<std::string> bottom, right, top, left;  ///< faces of the four sides
 };
 [[nodiscard]] Section rectangle(const Rectangle& shape);
+
+/// A quarter of a ring about a point of the first axis, with one block.
+struct QuarterRing {
+    double inner_m, outer_m;
+    int through;     ///< cells between the radii
+    double grading;  ///< ratio of the outermost cell to the innermost
+    int around;      ///< cells around the quarter turn
+    /// Faces: on the first axis, at the outer radius, on the second axis, at the inner radius.
+    std::string low, outer, high, inner;
+    std::string region = "rubber";
+    double origin_m = 0;  ///< first coordinate of the centre
+    int sign = 1;         ///< -1: the ring lies at lower first coordinates
+};
+void add_quarter_ring(Section& section, const QuarterRing& ring);
 
 /// Throws std::logic_error with the number of the block if its sides are not connected or opposite sides differ in cells.
 void check(const Section& section);

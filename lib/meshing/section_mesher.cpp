@@ -163,7 +163,7 @@ public:
     void add(std::size_t block) {
         const Grid grid = grid_of(section_, fine_, block);
         const Index first = result_.cell_count();
-        const std::int32_t own_region = region(section_.blocks[block].region);
+        const std::int32_t own_region = region_number(result_, section_.blocks[block].region);
         for (std::size_t j = 0; j + 2 < grid.rows; j += 2)
             for (std::size_t i = 0; i + 2 < grid.columns; i += 2) add_quad(grid, i, j, own_region);
         name_sides(block, first, static_cast<Index>(grid.columns / 2), static_cast<Index>(grid.rows / 2));
@@ -180,14 +180,6 @@ private:
             result_.points.push_back({snapped(p[0]), snapped(p[1]), 0.0});
         }
         return entry->second;
-    }
-
-    std::int32_t region(const std::string& name) {
-        auto& names = result_.region_names;
-        const auto found = std::ranges::find(names, name);
-        const auto region_index = found - names.begin();
-        if (found == names.end()) names.push_back(name);
-        return static_cast<std::int32_t>(region_index);
     }
 
     void add_quad(const Grid& grid, std::size_t i, std::size_t j, std::int32_t own_region) {

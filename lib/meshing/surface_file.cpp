@@ -31,14 +31,11 @@ core::Bytes stl(const surface::Triangles& surface) {
     for (const char c : title) append(bytes, c);
     append(bytes, static_cast<std::uint32_t>(surface.triangles.size()));
     for (const auto& t : surface.triangles) {
-        std::array<mesh::Point, 3> p;
-        for (std::size_t k = 0; k < 3; ++k) p[k] = surface.points[static_cast<std::size_t>(t[k])];
-        const Vector3 n = cross({p[1][0] - p[0][0], p[1][1] - p[0][1], p[1][2] - p[0][2]},
-                                {p[2][0] - p[0][0], p[2][1] - p[0][1], p[2][2] - p[0][2]});
-        const double length = norm(n);
-        for (const double component : n) append(bytes, static_cast<float>(length > 0 ? component / length : 0));
-        for (const mesh::Point& corner : p)
-            for (const double component : corner) append(bytes, static_cast<float>(mm * component));
+        for (const double component : triangle_geometry(surface.points, t).normal)
+            append(bytes, static_cast<float>(component));
+        for (const int corner : t)
+            for (const double component : surface.points[static_cast<std::size_t>(corner)])
+                append(bytes, static_cast<float>(mm * component));
         append(bytes, std::uint16_t{0});
     }
     return bytes;

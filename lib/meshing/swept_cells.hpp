@@ -118,6 +118,12 @@ private:
         int node, plane;
     };
     template <std::size_t N>
+    static constexpr std::array<Entry, N> zipped(const std::array<int, N>& nodes, const std::array<int, N>& planes) {
+        std::array<Entry, N> entries{};
+        for (std::size_t i = 0; i < N; ++i) entries[i] = {nodes[i], planes[i]};
+        return entries;
+    }
+    template <std::size_t N>
     void emit(CellType type, const std::array<Entry, N>& entries, std::span<const Index> nodes, int plane,
               std::int32_t region) {
         std::array<Index, N> cell{};
@@ -134,25 +140,9 @@ private:
     }
 
     void add_prism(std::span<const Index> t, int plane, std::int32_t region) {
-        constexpr std::array<Entry, 18> entries{{{0, 0},
-                                                 {1, 0},
-                                                 {2, 0},
-                                                 {0, 2},
-                                                 {1, 2},
-                                                 {2, 2},
-                                                 {3, 0},
-                                                 {4, 0},
-                                                 {5, 0},
-                                                 {3, 2},
-                                                 {4, 2},
-                                                 {5, 2},
-                                                 {0, 1},
-                                                 {1, 1},
-                                                 {2, 1},
-                                                 {3, 1},
-                                                 {4, 1},
-                                                 {5, 1}}};
-        emit(CellType::wedge18, entries, t, plane, region);
+        constexpr std::array<int, 18> nodes{0, 1, 2, 0, 1, 2, 3, 4, 5, 3, 4, 5, 0, 1, 2, 3, 4, 5};
+        constexpr std::array<int, 18> planes{0, 0, 0, 2, 2, 2, 0, 0, 0, 2, 2, 2, 1, 1, 1, 1, 1, 1};
+        emit(CellType::wedge18, zipped(nodes, planes), t, plane, region);
     }
 
     /// p = the quadrilateral rotated so that p0, p1 lie on the axis: triangles (p0, p3, p3') and (p1, p2, p2').
@@ -163,25 +153,9 @@ private:
             p[k + 4] = q[4 + (k + turn) % 4];
         }
         p[8] = q[8];
-        constexpr std::array<Entry, 18> entries{{{0, 0},
-                                                 {3, 0},
-                                                 {3, 2},
-                                                 {1, 0},
-                                                 {2, 0},
-                                                 {2, 2},
-                                                 {7, 0},
-                                                 {3, 1},
-                                                 {7, 2},
-                                                 {5, 0},
-                                                 {2, 1},
-                                                 {5, 2},
-                                                 {4, 0},
-                                                 {6, 0},
-                                                 {6, 2},
-                                                 {8, 0},
-                                                 {6, 1},
-                                                 {8, 2}}};
-        emit(CellType::wedge18, entries, p, plane, region);
+        constexpr std::array<int, 18> nodes{0, 3, 3, 1, 2, 2, 7, 3, 7, 5, 2, 5, 4, 6, 6, 8, 6, 8};
+        constexpr std::array<int, 18> planes{0, 0, 2, 0, 0, 2, 0, 1, 2, 0, 1, 2, 0, 0, 2, 0, 1, 2};
+        emit(CellType::wedge18, zipped(nodes, planes), p, plane, region);
     }
 
     using Corner = Entry;  ///< corner of a triangle on a plane

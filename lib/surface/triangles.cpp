@@ -31,23 +31,6 @@ void add_triangle(Triangles& surface, int a, int b, int c, int facet) {
     surface.facets.push_back(facet);
 }
 
-/// Local node indices of the triangles into which a facet is divided, in the orientation of the facet.
-std::vector<std::array<int, 3>> division(CellType type) {
-    switch (type) {
-        case CellType::triangle3: return {{0, 1, 2}};
-        case CellType::triangle6: return {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
-        case CellType::quad4: return {{0, 1, 2}, {0, 2, 3}};
-        case CellType::quad9: {  // a fan about the centre
-            std::vector<std::array<int, 3>> fan;
-            const std::array<int, 8> around{0, 4, 1, 5, 2, 6, 3, 7};
-            for (std::size_t i = 0; i < around.size(); ++i)
-                fan.push_back({around[i], around[(i + 1) % around.size()], 8});
-            return fan;
-        }
-        default: return {};  // lines are extruded instead; cells are not facets
-    }
-}
-
 /// Nodes of an edge of a section from its start to its end.
 std::vector<Index> nodes_along(const std::vector<Index>& line) {
     return line.size() == 3 ? std::vector<Index>{line[0], line[2], line[1]} : line;
@@ -197,6 +180,17 @@ std::vector<Triangles::Edge> edges_in_plane(const Triangles& surface, double tol
 
 }  // namespace
 
+std::vector<std::array<int, 3>> facet_division(CellType facet) {
+    switch (facet) {
+        case CellType::triangle3: return {{0, 1, 2}};
+        case CellType::triangle6: return {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
+        case CellType::quad4: return {{0, 1, 2}, {0, 2, 3}};
+        case CellType::quad9:
+            return {{0, 4, 8}, {4, 1, 8}, {1, 5, 8}, {5, 2, 8}, {2, 6, 8}, {6, 3, 8}, {3, 7, 8}, {7, 0, 8}};
+        default: return {};  // lines are extruded instead; cells are not facets
+    }
+}
+
 Triangles cavity_surface(const model::Case& model, const model::Cavity& cavity) {
     const std::vector<mesh::Facet> facets = cavity_facets(model, cavity);
     const bool is_section = model.kinematics == model::Kinematics::axisymmetric;
@@ -231,7 +225,7 @@ Triangles facet_triangles(const mesh::Mesh& mesh, const std::vector<mesh::Facet>
     for (std::size_t f = 0; f < facets.size(); ++f) {
         const std::vector<Index> nodes = facet_nodes(mesh, facets[f]);
         const int number = static_cast<int>(f);
-        for (const auto& [a, b, c] : division(facet_type(mesh, facets[f])))
+        for (const auto& [a, b, c] : facet_division(facet_type(mesh, facets[f])))
             add_triangle(surface, used(nodes[static_cast<std::size_t>(a)]), used(nodes[static_cast<std::size_t>(b)]),
                          used(nodes[static_cast<std::size_t>(c)]), number);
         if (mesh.dimension == 3) continue;

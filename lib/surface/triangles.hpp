@@ -23,6 +23,9 @@ struct Triangles {
     std::vector<Edge> outline;
 };
 
+/// Local node indices of the triangles into which a facet of a solid is divided, in the orientation of the facet.
+[[nodiscard]] std::vector<std::array<int, 3>> facet_division(mesh::CellType facet);
+
 /// Surface of a cavity of the whole actuator, normals out of the cavity: a section is revolved about x, a solid is mirrored at its
 /// symmetry planes, and each declared opening is closed by a flat fan. A hole that is not a declared opening stays open.
 /// The radius of a revolved point is enlarged by sqrt((2 pi / n) / sin(2 pi / n)), n sectors: the polygon then has the area of its

@@ -11,8 +11,7 @@ namespace {
 
 /// Closed form of the volume swept by a meridian of lines and arcs: V = pi (integral of r^2 dx). Lengths in mm.
 /// Independent of the code: the tangent follows from angles here, from projections in the code.
-class Meridian {
-public:
+struct Meridian {
     double pitch = 9.25, crest = 19, bore = 2.5, wall = 3, fillet = 0.25;
     double crest_land = 0, trough_land = 0, last_crest = 19;
     double disc_length = 6, disc_radius = 14.5, neck_length = 1, neck_radius = 7;
@@ -44,7 +43,7 @@ public:
         return foot_x + (neck_radius - foot_r) * std::cos(b) / std::sin(b);
     }
 
-private:
+    // Parts of the sums.
     [[nodiscard]] Meridian with_crest(int convolution) const {
         Meridian m = *this;
         if (convolutions > 1) m.crest += (last_crest - crest) * convolution / (convolutions - 1);
@@ -181,73 +180,43 @@ TEST(Bellows, FacesHaveTheExpectedAreas) {
 /// Other proportions within the admissible ranges give valid cells and the correct volume.
 TEST(Bellows, OtherShapesHaveValidCellsAndVolumes) {
     struct Other {
-        sample::Changes changes;
+        std::map<std::string, std::string> values;  // below geometry
         Meridian meridian;
     };
-    std::vector<Other> others(10);
-    others[0] = {{{"geometry.convolutions", "1"}}, {}};
-    others[0].meridian.convolutions = 1;
-    others[1] = {{{"geometry.pitch", "14 mm"}, {"geometry.fillet", "1.5 mm"}}, {}};
-    others[1].meridian.pitch = 14;
-    others[1].meridian.fillet = 1.5;
-    others[2] = {{{"geometry.neck.radius", "12 mm"}, {"geometry.neck.length", "2 mm"}}, {}};
-    others[2].meridian.neck_radius = 12;
-    others[2].meridian.neck_length = 2;
-    others[3] = {{{"geometry.neck.radius", "5.8 mm"}, {"geometry.neck.length", "0.5 mm"}}, {}};
-    others[3].meridian.neck_radius = 5.8;
-    others[3].meridian.neck_length = 0.5;
-    others[4] = {{{"geometry.wall", "1 mm"}, {"geometry.bore_radius", "4 mm"}}, {}};  // overhanging wall
-    others[4].meridian.wall = 1;
-    others[4].meridian.bore = 4;
-    others[5] = {{{"geometry.pitch", "7 mm"}, {"geometry.crest_radius", "12 mm"}}, {}};  // overhanging the neck
-    others[5].meridian.pitch = 7;
-    others[5].meridian.crest = 12;
-    // Square convolutions (upright walls), rounded ones (with a short straight wall), a taper, and all combined.
-    others[6] = {{{"geometry.pitch", "16 mm"},
-                  {"geometry.crest_land", "4.5 mm"},
-                  {"geometry.trough_land", "4.5 mm"},
-                  {"geometry.convolutions", "3"}},
-                 {}};
-    others[6].meridian.pitch = 16;
-    others[6].meridian.crest_land = others[6].meridian.trough_land = 4.5;
-    others[6].meridian.convolutions = 3;
-    others[7] = {{{"geometry.pitch", "14 mm"},
-                  {"geometry.fillet", "2.5 mm"},
-                  {"geometry.wall", "2 mm"},
-                  {"geometry.crest_radius", "14 mm"},
-                  {"geometry.neck.radius", "8.5 mm"}},
-                 {}};
-    others[7].meridian.pitch = 14;
-    others[7].meridian.fillet = 2.5;
-    others[7].meridian.wall = 2;
-    others[7].meridian.crest = 14;
-    others[7].meridian.neck_radius = 8.5;
-    others[8] = {{{"geometry.last_crest_radius", "12 mm"}}, {}};
-    others[8].meridian.last_crest = 12;
-    others[9] = {{{"geometry.last_crest_radius", "25 mm"},
-                  {"geometry.crest_land", "1 mm"},
-                  {"geometry.trough_land", "0.5 mm"},
-                  {"geometry.pitch", "11 mm"}},
-                 {}};
-    others[9].meridian.last_crest = 25;
-    others[9].meridian.crest_land = 1;
-    others[9].meridian.trough_land = 0.5;
-    others[9].meridian.pitch = 11;
+    std::vector<Other> others{
+        {{{"convolutions", "1"}}, {.convolutions = 1}},
+        {{{"pitch", "14 mm"}, {"fillet", "1.5 mm"}}, {.pitch = 14, .fillet = 1.5}},
+        {{{"neck.radius", "12 mm"}, {"neck.length", "2 mm"}}, {.neck_length = 2, .neck_radius = 12}},
+        {{{"neck.radius", "5.8 mm"}, {"neck.length", "0.5 mm"}}, {.neck_length = 0.5, .neck_radius = 5.8}},
+        {{{"wall", "1 mm"}, {"bore_radius", "4 mm"}}, {.bore = 4, .wall = 1}},        // overhanging wall
+        {{{"pitch", "7 mm"}, {"crest_radius", "12 mm"}}, {.pitch = 7, .crest = 12}},  // overhanging the neck
+        // Square convolutions (upright walls), rounded ones (with a short straight wall), a taper, and all combined.
+        {{{"pitch", "16 mm"}, {"crest_land", "4.5 mm"}, {"trough_land", "4.5 mm"}, {"convolutions", "3"}},
+         {.pitch = 16, .crest_land = 4.5, .trough_land = 4.5, .convolutions = 3}},
+        {{{"pitch", "14 mm"},
+          {"fillet", "2.5 mm"},
+          {"wall", "2 mm"},
+          {"crest_radius", "14 mm"},
+          {"neck.radius", "8.5 mm"}},
+         {.pitch = 14, .crest = 14, .wall = 2, .fillet = 2.5, .neck_radius = 8.5}},
+        {{{"last_crest_radius", "12 mm"}}, {.last_crest = 12}},
+        {{{"last_crest_radius", "25 mm"}, {"crest_land", "1 mm"}, {"trough_land", "0.5 mm"}, {"pitch", "11 mm"}},
+         {.pitch = 11, .crest_land = 1, .trough_land = 0.5, .last_crest = 25}}};
     for (Other& other : others) {
-        if (other.changes.count("geometry.last_crest_radius") == 0) other.meridian.last_crest = other.meridian.crest;
-        const std::string what = other.changes.begin()->first + " " + other.changes.begin()->second;
-        for (const auto& [key, value] : std::map<std::string, std::string>{{"geometry.fillet", "0.25 mm"},
-                                                                           {"geometry.end_disc.length", "6 mm"},
-                                                                           {"geometry.end_disc.radius", "14.5 mm"},
-                                                                           {"geometry.neck.length", "1 mm"},
-                                                                           {"geometry.neck.radius", "7 mm"}})
-            other.changes.try_emplace(key, value);  // the values of the closed form
-        EXPECT_GT(mesh::quality(sample::solid("bellows", "axisymmetric", other.changes).mesh).min_scaled_jacobian, 0.05)
+        if (!other.values.contains("last_crest_radius")) other.meridian.last_crest = other.meridian.crest;
+        const std::string what = other.values.begin()->first + " " + other.values.begin()->second;
+        other.values.insert({{"fillet", "0.25 mm"},
+                             {"end_disc.length", "6 mm"},
+                             {"end_disc.radius", "14.5 mm"},
+                             {"neck.length", "1 mm"},
+                             {"neck.radius", "7 mm"}});  // the values of the closed form, unless given
+        sample::Changes changes;
+        for (const auto& [key, value] : other.values) changes["geometry." + key] = value;
+        EXPECT_GT(mesh::quality(sample::solid("bellows", "axisymmetric", changes).mesh).min_scaled_jacobian, 0.05)
             << what;
-        EXPECT_GT(mesh::quality(sample::solid("bellows", "quarter", other.changes).mesh).min_scaled_jacobian, 0.05)
-            << what;
-        other.changes["mesh.size"] = "0.3 mm";
-        const Solid fine = sample::solid("bellows", "axisymmetric", other.changes);
+        EXPECT_GT(mesh::quality(sample::solid("bellows", "quarter", changes).mesh).min_scaled_jacobian, 0.05) << what;
+        changes["mesh.size"] = "0.3 mm";
+        const Solid fine = sample::solid("bellows", "axisymmetric", changes);
         EXPECT_NEAR(1e9 * sample::rubber_m3(fine) / other.meridian.rubber(), 1, 1e-5) << what;
         EXPECT_NEAR(1e9 * sample::cavity_m3(fine) / other.meridian.cavity(), 1, 1e-5) << what;
     }

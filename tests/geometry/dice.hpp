@@ -13,6 +13,8 @@ public:
     double between(double low, double high) {
         return low + (high - low) * static_cast<double>(engine_()) / 4294967296.0;
     }
+    /// With three decimals, as in handwritten designs.
+    double operator()(double low, double high) { return std::round(1000 * between(low, high)) / 1000; }
     double between_logs(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
     double scaled(double value, double by) { return value * std::exp(between(-std::log(by), std::log(by))); }
     int whole(int low, int high) { return low + static_cast<int>(between(0, high - low + 1)); }

@@ -1,8 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "core/text.hpp"
+#include "dice.hpp"
 #include "mesh/quality.hpp"
 #include "sample.hpp"
 
@@ -123,16 +122,16 @@ TEST(FiberTube, RejectsValuesOutOfRange) {
 }
 
 TEST(FiberTube, RejectsEmptyLayers) {
-    const std::string place = "d.yaml:2:28: geometry.fibers.layer: ",
+    const std::string location = "d.yaml:2:28: geometry.fibers.layer: ",
                       pair = "; use [inner, outer] with inner below outer";
     EXPECT_EQ(refusal_of("fibers: {layer: 0.5}"),
-              place + "1 value, but two are needed; use [inner, outer], such as [0, 1]");
+              location + "1 value, but two are needed; use [inner, outer], such as [0, 1]");
     EXPECT_EQ(refusal_of("fibers: {layer: [0.7, 0.3]}"),
-              place + "the layer from 0.7 to 0.3 is empty or runs inwards" + pair);
+              location + "the layer from 0.7 to 0.3 is empty or runs inwards" + pair);
     EXPECT_EQ(refusal_of("fibers: {layer: [0.5, 0.5]}"),
-              place + "the layer from 0.5 to 0.5 is empty or runs inwards" + pair);
+              location + "the layer from 0.5 to 0.5 is empty or runs inwards" + pair);
     EXPECT_EQ(refusal_of("fibers: {layer: [0.001, 1]}"),
-              place + "a part of the wall has 0.001 of its thickness; use 0, or at least 0.01");
+              location + "a part of the wall has 0.001 of its thickness; use 0, or at least 0.01");
 }
 
 TEST(FiberTube, RejectsLawsThatCannotBeCombinedWithFibres) {
@@ -233,10 +232,8 @@ TEST(FiberTube, RejectsUnsuitableStripsAndFlatWalls) {
 
 /// Twenty tubes within the ranges, in all models; reproducible on every machine.
 TEST(FiberTube, RandomDesignsHaveNoInvertedCell) {
-    std::mt19937 random(8);
-    const auto between = [&](double low, double high) {
-        return low + (high - low) * (static_cast<double>(random()) / static_cast<double>(std::mt19937::max()));
-    };
+    Dice dice{8};
+    const auto between = [&](double low, double high) { return dice.between(low, high); };
     const auto mm = [](double value) { return core::number_text(value) + " mm"; };
     const std::array<const char*, 4> models{"axisymmetric", "solid", "half", "quarter"};
     for (int k = 0; k < 20; ++k) {

@@ -40,11 +40,26 @@ std::string part_refusal(const std::string& text, std::vector<design::Override> 
     return "accepted";
 }
 
+namespace occ = gmsh::model::occ;
+
+/// Writes the shapes that `draw` adds.
+template <class Draw>
+void write_step(const std::filesystem::path& path, const Draw& draw) {
+    const meshing::sample::Gmsh session;
+    gmsh::option::setNumber("General.Verbosity", 0);
+    gmsh::vectorpair made;
+    std::vector<gmsh::vectorpair> map;
+    draw(made, map);
+    occ::synchronize();
+    testing::internal::CaptureStdout();
+    gmsh::write(path.string());
+    testing::internal::GetCapturedStdout();
+}
+
 /// A can along x: 30 mm long, radii 10 and 7 mm, caps of 5 mm around a closed cavity. Its facets turn by 10 degrees.
 enum class Can { closed, open, two };
 void write_can(const std::filesystem::path& path, Can can, double scale = 1) {
     const meshing::sample::Gmsh session;
-    namespace occ = gmsh::model::occ;
     gmsh::option::setNumber("General.Verbosity", 0);
     const int body = occ::addCylinder(0, 0, 0, 30 * scale, 0, 0, 10 * scale);
     const int hole = occ::addCylinder(5 * scale, 0, 0, (can == Can::open ? 25 : 20) * scale, 0, 0, 7 * scale);
@@ -103,20 +118,11 @@ TEST(Part, AClosedCanFromStepIsMeshedAroundItsCavity) {
 /// The facets of the bore must not be as short along the axis as around it.
 TEST(Part, LongNarrowBoreHasFewFacets) {
     const TemporaryFile file{"bore.step"};
-    {
-        const meshing::sample::Gmsh session;
-        namespace occ = gmsh::model::occ;
-        gmsh::option::setNumber("General.Verbosity", 0);
-        gmsh::vectorpair made;
-        std::vector<gmsh::vectorpair> map;
+    write_step(file.path, [](gmsh::vectorpair& made, std::vector<gmsh::vectorpair>& map) {
         occ::addBox(0, -10, -10, 60, 20, 20, 1);
         occ::addCylinder(-1, 0, 0, 56, 0, 0, 1, 2);
         occ::cut({{3, 1}}, {{3, 2}}, made, map);
-        occ::synchronize();
-        testing::internal::CaptureStdout();
-        gmsh::write(file.path.string());
-        testing::internal::GetCapturedStdout();
-    }
+    });
     const std::string faces =
         ", faces: {fixed: {plane: {x: 0 mm}}, tip: {plane: {x: 60 mm}}, cavity: {point: [10 mm, 0 mm, 1 mm], up_to: fixed}}";
     const Built bore = built_part(part_text(file.path, faces, usual));
@@ -159,23 +165,14 @@ TEST(Part, OpenCavityIsNamedByAFloodUpToItsInlet) {
 
 TEST(Part, CutPartRepresentsTheWholeBody) {
     const TemporaryFile file{"quarter.step"};
-    {
-        const meshing::sample::Gmsh session;
-        namespace occ = gmsh::model::occ;
-        gmsh::option::setNumber("General.Verbosity", 0);
-        gmsh::vectorpair made;
-        std::vector<gmsh::vectorpair> map;
+    write_step(file.path, [](gmsh::vectorpair& made, std::vector<gmsh::vectorpair>& map) {
         occ::addCylinder(0, 0, 0, 30, 0, 0, 10, 1);
         occ::addCylinder(5, 0, 0, 25, 0, 0, 7, 2);
         occ::cut({{3, 1}}, {{3, 2}}, made, map);
         occ::addBox(-1, 0, 0, 32, 11, 11, 7);
         gmsh::vectorpair quarter;
         occ::intersect(made, {{3, 7}}, quarter, map);
-        occ::synchronize();
-        testing::internal::CaptureStdout();
-        gmsh::write(file.path.string());
-        testing::internal::GetCapturedStdout();
-    }
+    });
     const std::string faces =
         ", faces: {fixed: {plane: {x: 0 mm}}, tip: {plane: {x: 30 mm}}, cavity: {point: [10 mm, 4 mm, 4 mm], up_to: tip}}";
     const Built can = built_part(part_text(file.path, ", symmetry: yz" + faces, usual));
@@ -188,9 +185,9 @@ TEST(Part, CutPartRepresentsTheWholeBody) {
     EXPECT_EQ(can.model.cavities[0].openings[0].direction, (std::array{1.0, 0.0, 0.0}));
     for (const mesh::Facet& facet : can.model.mesh.facet_sets.at("symmetry_y"))
         for (const mesh::Index node : facet_nodes(can.model.mesh, facet)) EXPECT_EQ(can.model.mesh.point(node)[1], 0);
-    const auto held = std::ranges::find(can.model.supports, "symmetry_z", &model::Support::face);
-    ASSERT_NE(held, can.model.supports.end());
-    EXPECT_EQ(held->fixed, (std::array{false, false, true}));
+    const auto support = std::ranges::find(can.model.supports, "symmetry_z", &model::Support::face);
+    ASSERT_NE(support, can.model.supports.end());
+    EXPECT_EQ(support->fixed, (std::array{false, false, true}));
 }
 
 TEST(Part, FileErrorsNameTheLocationInTheDesign) {
@@ -198,52 +195,46 @@ TEST(Part, FileErrorsNameTheLocationInTheDesign) {
         words{"words.step", "these are words\n"};
     write_can(two.path, Can::two);
     write_can(pieces.path, Can::two);
-    const auto says = [](const std::filesystem::path& file, const std::string& what) {
+    const auto misses = [](const std::filesystem::path& file, const std::string& what) {
         const std::string problem = part_refusal(part_text(file, ends, usual));
         return problem.starts_with("part.yaml:2:18: geometry.file: " + file.string() + ": ") &&
                        problem.find(what) != std::string::npos
                    ? ""
                    : problem;
     };
-    EXPECT_EQ(says(two.path, "2 solids in one file; unite them"), "");
-    EXPECT_EQ(says(pieces.path, "2 bodies in one file, the second around x = 20.5, y = 20.5, z = 0.5; unite"), "");
-    EXPECT_EQ(says(nothing.path, "the file contains no facets"), "");
-    EXPECT_EQ(says(words.path, "it cannot be read as STEP"), "");
-    EXPECT_EQ(says("/nowhere/part.obj", ""), "");
+    EXPECT_EQ(misses(two.path, "2 solids in one file; unite them"), "");
+    EXPECT_EQ(misses(pieces.path, "2 bodies in one file, the second around x = 20.5, y = 20.5, z = 0.5; unite"), "");
+    EXPECT_EQ(misses(nothing.path, "the file contains no facets"), "");
+    EXPECT_EQ(misses(words.path, "it cannot be read as STEP"), "");
+    EXPECT_EQ(misses("/nowhere/part.obj", ""), "");
     const TemporaryFile whole{"whole.stl"};
     write_can(whole.path, Can::closed);
     const std::string text = whole.text();
     const TemporaryFile open{"open.stl", text.substr(0, text.rfind("facet normal")) + "endsolid\n"};
-    EXPECT_EQ(says(open.path, "1 hole in the surface, near x = "), "");
+    EXPECT_EQ(misses(open.path, "1 hole in the surface, near x = "), "");
 }
 
 TEST(Part, InvalidRulesAreRejected) {
     const TemporaryFile file{"can.stl"};
     write_can(file.path, Can::closed);
-    const auto says = [&](const std::string& rule) {
-        return part_refusal(part_text(file.path, ", faces: {fixed: {plane: {x: 0 mm}}, tip: " + rule + "}", usual));
+    const auto expect = [&](const std::string& geometry, const std::string& words,
+                            std::vector<design::Override> sets = {}) {
+        const std::string refusal = part_refusal(part_text(file.path, geometry, usual), std::move(sets));
+        EXPECT_NE(refusal.find(words), std::string::npos) << refusal;
     };
-    const auto has = [](const std::string& text, const std::string& what) {
-        return text.find(what) != std::string::npos ? "" : text;
-    };
-    EXPECT_EQ(has(says("{plane: {x: 31 mm}}"), "geometry.faces.tip.plane.x: no facet of the surface matches this rule"),
-              "");
-    EXPECT_EQ(has(says("{plane: {x: 0 mm, y: 0 mm}}"), "geometry.faces.tip.plane.y: only one plane is possible"), "");
-    EXPECT_EQ(has(says("{box: {from: [1 mm, 2 mm, 3 mm]}}"), "geometry.faces.tip.box.from: a box needs two corners"),
-              "");
-    EXPECT_EQ(has(says("{point: [1 mm, 2 mm]}"), "geometry.faces.tip.point: three values are needed"), "");
-    EXPECT_EQ(has(says("{within: 5 deg}"), "geometry.faces.tip.within: within needs a normal"), "");
-    EXPECT_EQ(has(says("{up_to: fixed}"), "geometry.faces.tip.up_to: up_to needs a point"), "");
-    EXPECT_EQ(has(says("{point: [30 mm, 0 mm, 0 mm], up_to: outer}"),
-                  "'outer' is not a face of geometry.faces without up_to"),
-              "");
-    EXPECT_EQ(has(says("{plain: {x: 0 mm}}"), "geometry.faces.tip.plain: unknown key; known: plane, box"), "");
-    EXPECT_EQ(has(part_refusal(part_text(file.path, ", faces: {outer: {plane: {x: 0 mm}}}", usual)),
-                  "the file has a face of this name already"),
-              "");
-    EXPECT_EQ(
-        has(part_refusal(part_text(file.path, std::string{", symmetry: y"} + ends, usual)), "and is not cut at 0"), "");
-    EXPECT_EQ(has(part_refusal(part_text(file.path, ends, usual), {{"mesh.size", "1 um"}}), "a larger mesh.size"), "");
+    for (const auto& [rule, words] : std::vector<std::array<std::string, 2>>{
+             {"{plane: {x: 31 mm}}", "geometry.faces.tip.plane.x: no facet of the surface matches this rule"},
+             {"{plane: {x: 0 mm, y: 0 mm}}", "geometry.faces.tip.plane.y: only one plane is possible"},
+             {"{box: {from: [1 mm, 2 mm, 3 mm]}}", "geometry.faces.tip.box.from: a box needs two corners"},
+             {"{point: [1 mm, 2 mm]}", "geometry.faces.tip.point: three values are needed"},
+             {"{within: 5 deg}", "geometry.faces.tip.within: within needs a normal"},
+             {"{up_to: fixed}", "geometry.faces.tip.up_to: up_to needs a point"},
+             {"{point: [30 mm, 0 mm, 0 mm], up_to: outer}", "'outer' is not a face of geometry.faces without up_to"},
+             {"{plain: {x: 0 mm}}", "geometry.faces.tip.plain: unknown key; known: plane, box"}})
+        expect(", faces: {fixed: {plane: {x: 0 mm}}, tip: " + rule + "}", words);
+    expect(", faces: {outer: {plane: {x: 0 mm}}}", "the file has a face of this name already");
+    expect(std::string{", symmetry: y"} + ends, "and is not cut at 0");
+    expect(ends, "a larger mesh.size", {{"mesh.size", "1 um"}});
 }
 
 TEST(Part, EffectiveDesignIsReproducibleAndAnUnusualUnitIsReported) {

@@ -106,43 +106,57 @@ inline double rubber_m3(const Solid& s) {
     return mesh::measure(s.mesh, is_turned(s) ? mesh::Measure::revolved : mesh::Measure::plain) / s.fraction;
 }
 
-/// Volume of the cavity by the divergence theorem: flux of half the position vector normal to the axis (0 x, 2 z), which has
-/// divergence 1. Planes across the axis, including plugs, contribute nothing.
-inline double cavity_m3(const Solid& s, std::size_t axis = 0, const std::string& wall = "cavity") {
-    double sum = 0;
-    for (const mesh::Facet& facet : s.mesh.facet_sets.at(wall)) {
-        const mesh::CellType type = mesh::facet_type(s.mesh, facet);
-        const auto nodes = mesh::facet_nodes(s.mesh, facet);
-        for (const mesh::QuadraturePoint& point : mesh::volume_rule(type)) {
-            const auto shapes = mesh::shape_values(type, point.xi);
-            const auto n = mesh::facet_normal(s.mesh, facet, shapes);
-            mesh::Point p{};
-            for (std::size_t a = 0; a < nodes.size(); ++a)
-                for (std::size_t i = 0; i < 3; ++i) p[i] += shapes[a].value * s.mesh.point(nodes[a])[i];
-            double flux = 0;
-            for (std::size_t i = 0; i < 3; ++i) flux += i == axis ? 0.0 : 0.5 * p[i] * n[i];
-            sum -= point.weight * flux * (is_turned(s) ? 2 * std::numbers::pi * p[1] : 1.0);
-        }
-    }
-    return sum / s.fraction;
-}
-
-/// Undeformed area of a named face, whole actuator.
-inline double area_m2(const Solid& s, const std::string& face) {
+/// Sum of `density`(position, normal) over a named face, whole actuator. The normal has the length of the area element.
+template <class Density>
+double face_integral(const Solid& s, const std::string& face, const Density& density) {
     double sum = 0;
     for (const mesh::Facet& facet : s.mesh.facet_sets.at(face)) {
         const mesh::CellType type = mesh::facet_type(s.mesh, facet);
         const auto nodes = mesh::facet_nodes(s.mesh, facet);
         for (const mesh::QuadraturePoint& point : mesh::volume_rule(type)) {
             const auto shapes = mesh::shape_values(type, point.xi);
-            const auto n = mesh::facet_normal(s.mesh, facet, shapes);
-            double r = 0;
-            for (std::size_t a = 0; a < nodes.size(); ++a) r += shapes[a].value * s.mesh.point(nodes[a])[1];
-            const double turn = is_turned(s) ? 2 * std::numbers::pi * r : 1.0;
-            sum += point.weight * std::hypot(n[0], n[1], n[2]) * turn;
+            mesh::Point p{};
+            for (std::size_t a = 0; a < nodes.size(); ++a)
+                for (std::size_t i = 0; i < 3; ++i) p[i] += shapes[a].value * s.mesh.point(nodes[a])[i];
+            sum += point.weight * density(p, mesh::facet_normal(s.mesh, facet, shapes)) *
+                   (is_turned(s) ? 2 * std::numbers::pi * p[1] : 1.0);
         }
     }
     return sum / s.fraction;
+}
+
+/// Volume of the cavity by the divergence theorem: flux of half the position vector normal to the axis (0 x, 2 z), which has
+/// divergence 1. Planes across the axis, including plugs, contribute nothing.
+inline double cavity_m3(const Solid& s, std::size_t axis = 0, const std::string& wall = "cavity") {
+    return face_integral(s, wall, [axis](const mesh::Point& p, const mesh::Point& n) {
+        double flux = 0;
+        for (std::size_t i = 0; i < 3; ++i) flux -= i == axis ? 0.0 : 0.5 * p[i] * n[i];
+        return flux;
+    });
+}
+
+/// Undeformed area of a named face, whole actuator.
+inline double area_m2(const Solid& s, const std::string& face) {
+    return face_integral(s, face,
+                         [](const mesh::Point&, const mesh::Point& n) { return std::hypot(n[0], n[1], n[2]); });
+}
+
+/// A value of the key "geometry.KEY", and the problem and remedy that the error states.
+struct Refusal {
+    const char *key, *value, *words;
+};
+inline void expect_refusals(const std::string& family, const std::string& model,
+                            std::initializer_list<Refusal> refusals) {
+    for (const Refusal& r : refusals) {
+        const std::string key = std::string{"geometry."} + r.key;
+        try {
+            (void)solid(family, model, {{key, r.value}});
+            ADD_FAILURE() << key << " accepted";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ExitCode::bad_input);
+            EXPECT_EQ(std::string{error.what()}, "test: " + key + ": " + r.words);
+        }
+    }
 }
 
 /// The error message for a design, or "accepted".

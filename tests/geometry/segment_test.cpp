@@ -2,12 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 #include <set>
 
 #include "core/text.hpp"
+#include "dice.hpp"
 #include "mesh/quality.hpp"
-#include "meshing/hollow.hpp"
+#include "meshing/capped.hpp"
 #include "sample.hpp"
 
 namespace soft::geometry {
@@ -158,11 +158,7 @@ TEST(Segment, UnknownChamberIsRejected) {
 
 TEST(Segment, RandomSegmentsHaveValidCells) {
     for (unsigned seed = 0; seed < 20; ++seed) {
-        std::mt19937 engine{seed};
-        const auto draw = [&](double low, double high) {
-            const double share = static_cast<double>(engine()) / static_cast<double>(std::mt19937::max());
-            return std::round(1000 * (low + share * (high - low))) / 1000;
-        };
+        Dice draw{seed};
         Module m;
         m.chambers = 2 + static_cast<int>(seed % 3);
         m.bore = draw(0.5, 8);
@@ -181,26 +177,13 @@ TEST(Segment, RandomSegmentsHaveValidCells) {
 }
 
 TEST(Segment, InconsistentValuesAreRejectedWithTheirBound) {
-    struct Refusal {
-        const char *key, *value, *words;
-    };
-    for (
-        const Refusal& r :
-        {Refusal{
-             "wall", "7 mm",
-             "7 mm leaves no chamber between core and wall; use a value below 7 mm = outer_radius - bore_radius - core"},
-         Refusal{"cap", "20 mm", "20 mm is not smaller than half the length (20 mm); use a value below 20 mm"},
-         Refusal{"jacket.thickness", "2 mm", "2 mm is not smaller than wall (2 mm); use a value below 2 mm"},
-         Refusal{"web", "120 deg", "it leaves no angle for the chambers; use a value below 120 deg"}}) {
-        const std::string key = std::string{"geometry."} + r.key;
-        try {
-            (void)sample::solid("segment", "solid", {{key, r.value}});
-            ADD_FAILURE() << key << " accepted";
-        } catch (const Error& error) {
-            EXPECT_EQ(error.code(), ExitCode::bad_input);
-            EXPECT_EQ(std::string{error.what()}, "test: " + key + ": " + r.words);
-        }
-    }
+    sample::expect_refusals(
+        "segment", "solid",
+        {{"wall", "7 mm",
+          "7 mm leaves no chamber between core and wall; use a value below 7 mm = outer_radius - bore_radius - core"},
+         {"cap", "20 mm", "20 mm is not smaller than half the length (20 mm); use a value below 20 mm"},
+         {"jacket.thickness", "2 mm", "2 mm is not smaller than wall (2 mm); use a value below 2 mm"},
+         {"web", "120 deg", "it leaves no angle for the chambers; use a value below 120 deg"}});
 }
 
 TEST(Hollowed, RemovesCellsAndNamesTheExposedFacets) {

@@ -189,8 +189,14 @@ constexpr double paper_mu_Pa = 0.2069e6, paper_kappa_Pa = 20.69e6;
 double strain_percent(std::string_view law, std::optional<double> bulk_Pa, double stress_Pa) {
     const AnyRubber rubber =
         make_rubber({.law = law, .constants = {{"mu", {paper_mu_Pa}}}, .bulk_modulus_Pa = bulk_Pa});
-    const auto stretch = stretch_at(rubber, Mode::uniaxial, stress_Pa, {0.9, 8.0});
-    return stretch ? 100 * (*stretch - 1) : std::nan("");
+    double low = 0.9, high = 8.0;
+    for (int halving = 0; halving < 60; ++halving) {
+        const double middle = 0.5 * (low + high);
+        (cauchy_stress_Pa(homogeneous_state(rubber, Mode::uniaxial, middle).value(), Mode::uniaxial) < stress_Pa
+             ? low
+             : high) = middle;
+    }
+    return 100 * (0.5 * (low + high) - 1);
 }
 
 TEST(Homogeneous, UniaxialRodWithFiniteBulkModulusMatchesTheSpecification) {

@@ -78,13 +78,13 @@ TEST(NamedFaces, AFloodEndsAtSharpEdgesOrAtTheGivenFaces) {
 
 TEST(NamedFaces, SmoothBendsAreNotSharpAndFaceBoundariesAreCreases) {
     const BodySurface ball = test::made(test::ball_soup({0, 0, 0}, 10, 48));
-    EXPECT_TRUE(sharp_edges(ball).empty());
+    EXPECT_TRUE(creases_of(ball, {}).empty());
     FaceRule half = rule("half");
     half.box = FaceRule::Box{{0, -1, -1}, {1, 1, 1}};
     const auto faces = named_faces(ball, {half});
     EXPECT_NEAR(area_m2(ball, faces[1]) / ball.area_m2(), 0.5, 1e-9);
     EXPECT_EQ(creases_of(ball, faces).size(), 48u);  // the equator
-    EXPECT_EQ(sharp_edges(test::made(test::box_soup({0, 0, 0}, {1, 1, 1}))).size(), 12u);
+    EXPECT_EQ(creases_of(test::made(test::box_soup({0, 0, 0}, {1, 1, 1})), {}).size(), 12u);
 }
 
 }  // namespace
