@@ -1,6 +1,7 @@
 #include "io/image.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstring>
@@ -18,11 +19,10 @@ static_assert(std::endian::native == std::endian::little, "records and superbloc
 
 constexpr std::string_view hdf5_signature{"\x89HDF\r\n\x1a\n", 8};
 constexpr std::string_view record_magic = "SOFTREC1";
-constexpr std::string_view seal_kind = "seal    ";
-constexpr std::string_view step_kind = "step    ";
-constexpr std::string_view checkpoint_kind = "state   ";
-constexpr std::size_t hash_size = 64;
+constexpr std::array<std::string_view, 3> kind_words{"seal    ", "step    ",
+                                                     "state   "};  ///< in the order of RecordKind
 constexpr std::size_t header_size = 24;
+constexpr std::size_t hash_size = 64;
 constexpr std::uint64_t no_address = ~std::uint64_t{0};
 
 std::string_view text_of(std::span<const std::byte> bytes) {
@@ -88,34 +88,19 @@ struct Record {
     std::size_t size;  ///< of the complete record
 };
 
-std::string_view word_of(RecordKind kind) {
-    switch (kind) {
-        case RecordKind::seal: return seal_kind;
-        case RecordKind::step: return step_kind;
-        case RecordKind::checkpoint: return checkpoint_kind;
-    }
-    return {};
-}
-
-/// nullopt: an incomplete record at the end of the image (not the seal, for which that is an error).
+/// nullopt: an incomplete record at the end of the image.
 std::optional<Record> record_at(std::span<const std::byte> tail, std::string_view source) {
-    const std::string_view head = text_of(tail.first(std::min<std::size_t>(tail.size(), 16)));
-    // An incomplete header may match several kinds. The last match wins, because only the seal must be complete.
-    std::optional<RecordKind> kind;
-    for (const RecordKind known : {RecordKind::seal, RecordKind::checkpoint, RecordKind::step})
-        if ((std::string{record_magic}.append(word_of(known))).starts_with(head)) kind = known;
-    if (!kind) throw damaged(source, std::to_string(tail.size()) + " unknown bytes after the end of the HDF5 data");
-    const auto cut = [&]() -> std::optional<Record> {
-        if (*kind != RecordKind::seal) return std::nullopt;
-        throw truncated(source, tail.size(), "too few for the seal after the HDF5 data");
-    };
-    if (tail.size() < header_size + hash_size) return cut();
-    const std::uint64_t length = u64_at(tail, 16);
-    if (length > tail.size() - header_size - hash_size) return cut();
+    if (!record_magic.starts_with(text_of(tail.first(std::min(tail.size(), record_magic.size())))))
+        throw damaged(source, std::to_string(tail.size()) + " unknown bytes after the end of the HDF5 data");
+    if (tail.size() < header_size + hash_size) return std::nullopt;
+    const std::uint64_t length = u64_at(tail, header_size - sizeof length);
+    if (length > tail.size() - header_size - hash_size) return std::nullopt;
     const std::size_t hashed = header_size + static_cast<std::size_t>(length);
-    if (core::sha256_hex(tail.first(hashed)) != text_of(tail.subspan(hashed, hash_size)))
+    const auto kind = std::ranges::find(kind_words, text_of(tail.subspan(record_magic.size(), kind_words[0].size())));
+    if (kind == kind_words.end() || core::sha256_hex(tail.first(hashed)) != text_of(tail.subspan(hashed, hash_size)))
         throw damaged(source, "a record after the HDF5 data does not match its checksum");
-    return Record{*kind, tail.subspan(header_size, static_cast<std::size_t>(length)), hashed + hash_size};
+    return Record{static_cast<RecordKind>(kind - kind_words.begin()),
+                  tail.subspan(header_size, static_cast<std::size_t>(length)), hashed + hash_size};
 }
 
 }  // namespace
@@ -123,47 +108,40 @@ std::optional<Record> record_at(std::span<const std::byte> tail, std::string_vie
 ImageParts split_image(std::span<const std::byte> image, std::string_view source) {
     if (image.empty())
         throw Error(ExitCode::bad_input, source, "empty input", "check whether the previous program failed");
-    const std::size_t end = hdf5_size(image, source);
-    ImageParts parts{image.first(end), false, {}, std::nullopt};
-    std::span<const std::byte> tail = image.subspan(end);
-    while (!tail.empty()) {
-        const auto record = record_at(tail, source);
-        if (!parts.sealed && (!record || record->kind != RecordKind::seal))
-            throw damaged(source, "the seal after the HDF5 data is missing");
+    ImageParts parts;
+    parts.hdf5 = image.first(hdf5_size(image, source));
+    for (std::size_t at = parts.hdf5.size(); at < image.size();) {
+        const auto record = record_at(image.subspan(at), source);
+        if (!record && !parts.sealed)
+            throw truncated(source, image.size() - at, "too few for the seal after the HDF5 data");
         if (!record) break;
+        if ((record->kind == RecordKind::seal) == parts.sealed)
+            throw damaged(source, "there must be one seal after the HDF5 data, before the other records");
+        at += record->size;
+        if (record->kind == RecordKind::seal && core::sha256_hex(parts.hdf5) != text_of(record->payload))
+            throw damaged(source, "the content does not match its SHA-256 seal");
+        parts.sealed = true;
         if (record->kind == RecordKind::step) {
             parts.steps.push_back(record->payload);
-        } else if (record->kind == RecordKind::checkpoint) {
-            const std::size_t record_end = image.size() - tail.size() + record->size;
-            parts.checkpoint = ImageParts::Checkpoint{record->payload, parts.steps.size(), record_end};
-        } else if (parts.sealed) {
-            throw damaged(source, "two seals after the HDF5 data");
-        } else if (core::sha256_hex(parts.hdf5) != text_of(record->payload)) {
-            throw damaged(source, "the content does not match its SHA-256 seal");
+            continue;
         }
-        parts.sealed = true;
-        tail = tail.subspan(record->size);
+        parts.resume_end = at;
+        parts.resume_steps = parts.steps.size();
+        if (record->kind == RecordKind::checkpoint) parts.checkpoint = record->payload;
     }
     return parts;
 }
 
-std::size_t seal_end(std::span<const std::byte> image, std::string_view source) {
-    const std::size_t end = hdf5_size(image, source);
-    const auto record = image.size() > end ? record_at(image.subspan(end), source) : std::nullopt;
-    if (!record || record->kind != RecordKind::seal) throw damaged(source, "the seal after the HDF5 data is missing");
-    return end + record->size;
-}
-
 std::vector<std::byte> make_record(RecordKind kind, std::span<const std::byte> payload) {
-    std::vector<std::byte> record(header_size + payload.size() + hash_size);
-    auto output = record.begin();
-    const auto put = [&](std::span<const std::byte> bytes) { output = std::copy(bytes.begin(), bytes.end(), output); };
+    std::vector<std::byte> record;
+    record.reserve(header_size + payload.size() + hash_size);
+    const auto put = [&](std::span<const std::byte> bytes) { record.insert(record.end(), bytes.begin(), bytes.end()); };
     const std::uint64_t length = payload.size();
     put(std::as_bytes(std::span{record_magic}));
-    put(std::as_bytes(std::span{word_of(kind)}));
+    put(std::as_bytes(std::span{kind_words.at(static_cast<std::size_t>(kind))}));
     put(std::as_bytes(std::span{&length, 1}));
     put(payload);
-    const std::string hash = core::sha256_hex(std::span<const std::byte>{record}.first(header_size + payload.size()));
+    const std::string hash = core::sha256_hex(std::span<const std::byte>{record});
     put(std::as_bytes(std::span{hash}));
     return record;
 }

@@ -22,13 +22,10 @@ namespace soft::io {
 struct ImageParts {
     std::span<const std::byte> hdf5;
     bool sealed = false;
-    std::vector<std::span<const std::byte>> steps;  ///< payloads of the complete step records
-    /// The last complete checkpoint: its payload, the number of step records before it, and the offset of its end in the image.
-    struct Checkpoint {
-        std::span<const std::byte> payload;
-        std::size_t steps = 0, end = 0;
-    };
-    std::optional<Checkpoint> checkpoint;
+    std::vector<std::span<const std::byte>> steps;         ///< payloads of the complete step records
+    std::optional<std::span<const std::byte>> checkpoint;  ///< payload of the last complete one
+    std::size_t resume_steps = 0;                          ///< number of step records before the last checkpoint
+    std::size_t resume_end = 0;  ///< offset of the end of the last checkpoint, or of the seal if there is none
 };
 
 enum class RecordKind { seal, step, checkpoint };
@@ -36,9 +33,6 @@ enum class RecordKind { seal, step, checkpoint };
 /// Checks the signature, the superblock, the end-of-file address against the size of the image, and the seal, without the HDF5
 /// library. Throws Error (bad_input), e.g. "<stdin>: empty input; check whether the previous program failed".
 [[nodiscard]] ImageParts split_image(std::span<const std::byte> image, std::string_view source);
-
-/// Offset of the end of the seal in a sealed image, where the other records begin.
-[[nodiscard]] std::size_t seal_end(std::span<const std::byte> image, std::string_view source);
 
 [[nodiscard]] std::vector<std::byte> make_record(RecordKind kind, std::span<const std::byte> payload);
 

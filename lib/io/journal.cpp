@@ -2,38 +2,111 @@
 
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <optional>
+#include <tuple>
 #include <type_traits>
+#include <utility>
 
 #include "core/error.hpp"
 
 namespace soft::io {
 namespace {
 
+template <class Given, class Wanted>
+concept Is = std::same_as<std::remove_const_t<Given>, Wanted>;
+
+/// The members of a struct in the order of the record. A struct that gets another member fails to compile here; a resumed path would
+/// otherwise differ from an uninterrupted one.
+auto members(Is<model::Step::Extremes> auto& extremes) {
+    auto& [stretch_at, energy] = extremes;
+    return std::tie(stretch_at, energy);
+}
+auto members(Is<model::Step::Energies> auto& energies) {
+    auto& [stored, work, tangent] = energies;
+    return std::tie(stored, work, tangent);
+}
+auto members(Is<model::Step::Motion> auto& motion) {
+    auto& [time, kinetic, stored, work, damping] = motion;
+    return std::tie(time, kinetic, stored, work, damping);
+}
+auto members(Is<model::Step> auto& step) {
+    auto& [stage, load_factor, pressure, volume, pressures, volumes, outputs, d_load_factor, d_pressure, d_volume,
+           d_pressures, d_volumes, d_outputs, iterations, factorizations, stable, controlled, p99, stretch, jacobian,
+           extremes, energies, motion, pressure_error, output_errors, frequencies] = step;
+    return std::tie(stage, load_factor, pressure, volume, pressures, volumes, outputs, d_load_factor, d_pressure,
+                    d_volume, d_pressures, d_volumes, d_outputs, iterations, factorizations, stable, controlled, p99,
+                    stretch, jacobian, extremes, energies, motion, pressure_error, output_errors, frequencies);
+}
+auto members(Is<model::LimitPoint> auto& point) {
+    auto& [step, pressure, volume, outputs] = point;
+    return std::tie(step, pressure, volume, outputs);
+}
+auto members(Is<model::Bifurcation> auto& bifurcation) {
+    auto& [at, modes, mode] = bifurcation;
+    return std::tie(at, modes, mode);
+}
+/// Without reason and detail, which an unfinished path does not have.
+auto members(Is<model::PathEnd> auto& end) {
+    [[maybe_unused]] auto& [reason, detail, limit_points, bifurcations, iterations, factorizations] = end;
+    return std::tie(limit_points, bifurcations, iterations, factorizations);
+}
+auto members(Is<model::StatePoint> auto& point) {
+    auto& [unknowns, tangent, pressures, d_pressures, load_factor, d_load_factor, power, outputs, q, work, modes] =
+        point;
+    return std::tie(unknowns, tangent, pressures, d_pressures, load_factor, d_load_factor, power, outputs, q, work,
+                    modes);
+}
+auto members(Is<model::StageStart> auto& start) {
+    auto& [pressures, volumes, masses, tractions, body_forces, motions] = start;
+    return std::tie(pressures, volumes, masses, tractions, body_forces, motions);
+}
+auto members(Is<model::Checkpoint> auto& checkpoint) {
+    auto& [ranks, rows, stage, stage_row, start, control, controlled, user_failed, on_branch, pending, pivots, before,
+           last, step, first_step, work, slope, visited, so_far] = checkpoint;
+    return std::tie(ranks, rows, stage, stage_row, start, control, controlled, user_failed, on_branch, pending, pivots,
+                    before, last, step, first_step, work, slope, visited, so_far);
+}
+auto members(Is<JournalStep> auto& record) {
+    auto& [step, displacement, pressure] = record;
+    return std::tie(step, displacement, pressure);
+}
+
+template <class T>
+concept Number = std::is_arithmetic_v<T>;
+template <class T>
+concept Struct = std::is_class_v<T>;
+
 class Packer {
 public:
+    void put(Number auto value) { append(&value, sizeof value); }
     template <class T>
-    void put(T value) {
-        append(&value, sizeof value);
+    void put(const std::optional<T>& value) {
+        put(value.has_value());
+        if (value) put(*value);
     }
-    void put_optional(const std::optional<double>& value) {
-        put(std::uint64_t{value.has_value()});
-        put(value.value_or(0.0));
-    }
-    void put_list(std::span<const double> values) {
-        put(static_cast<std::uint64_t>(values.size()));
+    void put(const std::array<double, 3>& values) { append(values.data(), sizeof values); }
+    void put(std::span<const double> values) {
+        put(std::uint64_t{values.size()});
         append(values.data(), values.size_bytes());
+    }
+    void put(const std::vector<double>& values) { put(std::span{values}); }
+    template <class T>
+    void put(const std::vector<T>& values) {
+        put(std::uint64_t{values.size()});
+        for (const T& value : values) put(value);
+    }
+    void put(const Struct auto& value) {
+        std::apply([&](const auto&... member) { (put(member), ...); }, members(value));
     }
     [[nodiscard]] std::vector<std::byte> take() { return std::move(bytes_); }
 
 private:
     void append(const void* data, std::size_t size) {
-        const std::size_t end = bytes_.size();
-        bytes_.resize(end + size);
-        if (size > 0) std::memcpy(bytes_.data() + end, data, size);
+        const auto* first = static_cast<const std::byte*>(data);
+        bytes_.insert(bytes_.end(), first, first + size);
     }
     std::vector<std::byte> bytes_;
 };
@@ -42,48 +115,50 @@ class Unpacker {
 public:
     Unpacker(std::span<const std::byte> bytes, std::string_view source) : bytes_(bytes), source_(source) {}
 
-    template <class T>
-    T get() {
-        T value;
+    void get(Number auto& value) { take(&value, sizeof value); }
+    void get(double& value) {
         take(&value, sizeof value);
-        if constexpr (std::is_floating_point_v<T>)
-            if (!std::isfinite(value)) refuse();
-        return value;
+        require(std::isfinite(value));
     }
-    int get_count() {
-        const auto value = get<std::int64_t>();
-        if (value < 0 || value > std::numeric_limits<int>::max()) refuse();
-        return static_cast<int>(value);
+    void get(bool& flag) {
+        std::uint8_t value = 0;
+        get(value);
+        require(value <= 1);
+        flag = value == 1;
     }
-    bool get_flag() {
-        const auto value = get<std::uint64_t>();
-        if (value > 1) refuse();
-        return value == 1;
+    template <class T>
+    void get(std::optional<T>& value) {
+        bool present = false;
+        get(present);
+        if (present) get(value.emplace());
     }
-    std::vector<double> get_list() {
-        const auto size = get<std::uint64_t>();
-        if (size > bytes_.size() / sizeof(double)) refuse();
-        std::vector<double> values(static_cast<std::size_t>(size));
-        if (!values.empty()) take(values.data(), values.size() * sizeof(double));
-        for (const double value : values)
-            if (!std::isfinite(value)) refuse();
-        return values;
+    void get(std::array<double, 3>& values) {
+        for (double& value : values) get(value);
     }
-    std::optional<double> get_optional() {
-        const bool present = get_flag();
-        const auto value = get<double>();
-        return present ? std::optional(value) : std::nullopt;
+    void get(std::vector<double>& values) {
+        std::uint64_t size = 0;
+        get(size);
+        require(size <= bytes_.size() / sizeof(double));
+        values.resize(static_cast<std::size_t>(size));
+        for (double& value : values) get(value);
     }
-    void require_end() const {
-        if (!bytes_.empty()) refuse();
+    template <class T>
+    void get(std::vector<T>& values) {
+        std::uint64_t size = 0;
+        for (get(size); size > 0; --size) get(values.emplace_back());
     }
+    void get(Struct auto& value) {
+        std::apply([&](auto&... member) { (get(member), ...); }, members(value));
+    }
+    void require(bool valid) const {
+        if (!valid)
+            throw Error(ExitCode::bad_input, source_, "a record after the HDF5 data is corrupted", "run solve again");
+    }
+    void require_end() const { require(bytes_.empty()); }
 
 private:
-    [[noreturn]] void refuse() const {
-        throw Error(ExitCode::bad_input, source_, "a record after the HDF5 data is corrupted", "run solve again");
-    }
     void take(void* to, std::size_t size) {
-        if (size > bytes_.size()) refuse();
+        require(size <= bytes_.size());
         std::memcpy(to, bytes_.data(), size);
         bytes_ = bytes_.subspan(size);
     }
@@ -91,214 +166,40 @@ private:
     std::string_view source_;
 };
 
-/// Members of a step, in the order of the record.
-constexpr std::array numbers{&model::Step::load_factor,         &model::Step::pressure_Pa,
-                             &model::Step::tangent_load_factor, &model::Step::tangent_pressure,
-                             &model::Step::tangent_volume,      &model::Step::stretch_p99,
-                             &model::Step::max_stretch,         &model::Step::min_jacobian};
-constexpr std::array lists{&model::Step::pressures_Pa,    &model::Step::volumes_m3,
-                           &model::Step::outputs,         &model::Step::tangent_pressures,
-                           &model::Step::tangent_volumes, &model::Step::tangent_outputs,
-                           &model::Step::output_errors,   &model::Step::frequencies_Hz};
-constexpr std::array counts{&model::Step::stage, &model::Step::newton_iterations, &model::Step::factorizations};
-
-using Motion = model::Step::Motion;
-constexpr std::array motion_numbers{&Motion::time_s, &Motion::kinetic_energy_J, &Motion::stored_energy_J,
-                                    &Motion::load_work_J, &Motion::damping_work_J};
-
-/// Members of a solver state and of the loads at the start of a stage.
-constexpr std::array state_lists{&model::StatePoint::unknowns, &model::StatePoint::tangent_unknowns,
-                                 &model::StatePoint::pressures_Pa, &model::StatePoint::tangent_pressures,
-                                 &model::StatePoint::outputs};
-constexpr std::array state_numbers{&model::StatePoint::load_factor, &model::StatePoint::tangent_load_factor,
-                                   &model::StatePoint::power, &model::StatePoint::q, &model::StatePoint::load_work_J};
-constexpr std::array start_lists{&model::StageStart::pressures_Pa, &model::StageStart::volumes_m3,
-                                 &model::StageStart::masses_kg,    &model::StageStart::tractions,
-                                 &model::StageStart::body_forces,  &model::StageStart::motions};
-constexpr std::array checkpoint_numbers{&model::Checkpoint::step, &model::Checkpoint::first_step,
-                                        &model::Checkpoint::work_before_stage_J, &model::Checkpoint::first_slope};
-constexpr std::array checkpoint_counts{&model::Checkpoint::ranks,
-                                       &model::Checkpoint::rows,
-                                       &model::Checkpoint::stage,
-                                       &model::Checkpoint::stage_first_row,
-                                       &model::Checkpoint::control,
-                                       &model::Checkpoint::confirmed_pivots,
-                                       &model::Checkpoint::pending_factorizations};
-constexpr std::array checkpoint_flags{&model::Checkpoint::user_control_failed, &model::Checkpoint::on_branch};
-
-/// Fails to compile if a struct gets a member that is not stored here. A resumed path would otherwise differ.
-[[maybe_unused]] void every_member_is_kept(const model::Step& step, const model::Checkpoint& checkpoint) {
-    [[maybe_unused]] const auto& [s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12, s13, s14, s15, s16, s17, s18, s19,
-                                  s20, extremes, energies, motion, s21, s22, s23] = step;
-    [[maybe_unused]] const auto& [x1, x2] = *extremes;
-    [[maybe_unused]] const auto& [n1, n2, n3] = *energies;
-    [[maybe_unused]] const auto& [m1, m2, m3, m4, m5] = *motion;
-    [[maybe_unused]] const auto& [c1, c2, c3, c4, start, c5, c6, c7, c8, c9, c10, c11, last, c12, c13, c14, c15, c16,
-                                  end] = checkpoint;
-    [[maybe_unused]] const auto& [l1, l2, l3, l4, l5, l6] = start;
-    [[maybe_unused]] const auto& [p1, p2, p3, p4, p5, p6, p7, p8, p9, p10, p11] = last;
-    [[maybe_unused]] const auto& [reason, detail, e1, bifurcations, e2, e3] = end;
-    [[maybe_unused]] const auto& [at, b1, b2] = bifurcations.front();
-    [[maybe_unused]] const auto& [a1, a2, a3, a4] = at;
-}
-
 }  // namespace
 
 std::vector<std::byte> encode_step(const model::Step& step, std::span<const double> displacement,
                                    std::span<const double> pressure) {
     Packer packer;
-    for (const auto member : counts) packer.put(std::int64_t{step.*member});
-    for (const auto member : numbers) packer.put(step.*member);
-    for (const auto member : lists) packer.put_list(step.*member);
-    packer.put_optional(step.volume_m3);
-    packer.put_optional(step.pressure_error_Pa);
-    packer.put(std::uint64_t{step.stable});
-    packer.put(std::uint64_t{step.stable_under_control.has_value()});
-    packer.put(std::uint64_t{step.stable_under_control.value_or(false)});
-    packer.put(std::uint64_t{step.motion.has_value()});
-    if (step.motion)
-        for (const auto member : motion_numbers) packer.put((*step.motion).*member);
-    packer.put(std::uint64_t{step.extremes.has_value()});
-    if (step.extremes) {
-        for (const double component : step.extremes->stretch_at_m) packer.put(component);
-        packer.put(step.extremes->energy_J_m3);
-    }
-    packer.put(std::uint64_t{step.energies.has_value()});
-    if (step.energies) {
-        packer.put(step.energies->stored_J);
-        packer.put(step.energies->load_work_J);
-        packer.put_optional(step.energies->tangent_J);
-    }
-    packer.put_list(displacement);
-    packer.put_list(pressure);
+    packer.put(step);
+    packer.put(displacement);
+    packer.put(pressure);
     return packer.take();
 }
 
 JournalStep decode_step(std::span<const std::byte> payload, std::string_view source) {
     Unpacker unpacker{payload, source};
     JournalStep record;
-    model::Step& step = record.step;
-    for (const auto member : counts) step.*member = unpacker.get_count();
-    for (const auto member : numbers) step.*member = unpacker.get<double>();
-    for (const auto member : lists) step.*member = unpacker.get_list();
-    step.volume_m3 = unpacker.get_optional();
-    step.pressure_error_Pa = unpacker.get_optional();
-    step.stable = unpacker.get_flag();
-    const bool has_control = unpacker.get_flag(), stable_under_control = unpacker.get_flag();
-    if (has_control) step.stable_under_control = stable_under_control;
-    if (unpacker.get_flag()) {
-        step.motion = model::Step::Motion{};
-        for (const auto member : motion_numbers) (*step.motion).*member = unpacker.get<double>();
-    }
-    if (unpacker.get_flag()) {
-        step.extremes = model::Step::Extremes{};
-        for (double& component : step.extremes->stretch_at_m) component = unpacker.get<double>();
-        step.extremes->energy_J_m3 = unpacker.get<double>();
-    }
-    if (unpacker.get_flag()) {
-        model::Step::Energies energies;
-        energies.stored_J = unpacker.get<double>();
-        energies.load_work_J = unpacker.get<double>();
-        energies.tangent_J = unpacker.get_optional();
-        step.energies = energies;
-    }
-    record.displacement_m = unpacker.get_list();
-    record.pressure_Pa = unpacker.get_list();
+    unpacker.get(record);
     unpacker.require_end();
     return record;
 }
 
-namespace {
-
-void put_state(Packer& packer, const model::StatePoint& point) {
-    for (const auto member : state_lists) packer.put_list(point.*member);
-    for (const auto member : state_numbers) packer.put(point.*member);
-    packer.put_optional(point.unstable_modes ? std::optional<double>(*point.unstable_modes) : std::nullopt);
-}
-
-model::StatePoint get_state(Unpacker& unpacker) {
-    model::StatePoint point;
-    for (const auto member : state_lists) point.*member = unpacker.get_list();
-    for (const auto member : state_numbers) point.*member = unpacker.get<double>();
-    if (const auto modes = unpacker.get_optional()) point.unstable_modes = static_cast<int>(*modes);
-    return point;
-}
-
-void put_point(Packer& packer, const model::LimitPoint& point) {
-    packer.put(std::int64_t{point.step});
-    packer.put(point.pressure_Pa);
-    packer.put_optional(point.volume_m3);
-    packer.put_list(point.outputs);
-}
-
-model::LimitPoint get_point(Unpacker& unpacker) {
-    model::LimitPoint point;
-    point.step = unpacker.get_count();
-    point.pressure_Pa = unpacker.get<double>();
-    point.volume_m3 = unpacker.get_optional();
-    point.outputs = unpacker.get_list();
-    return point;
-}
-
-/// Without the stop reason, which an unfinished path does not have.
-void put_end(Packer& packer, const model::PathEnd& end) {
-    packer.put(std::int64_t{end.newton_iterations});
-    packer.put(std::int64_t{end.factorizations});
-    packer.put(static_cast<std::uint64_t>(end.limit_points.size()));
-    for (const auto& limit : end.limit_points) put_point(packer, limit);
-    packer.put(static_cast<std::uint64_t>(end.bifurcations.size()));
-    for (const auto& bifurcation : end.bifurcations) {
-        put_point(packer, bifurcation.at);
-        packer.put(std::int64_t{bifurcation.modes});
-        packer.put_list(bifurcation.mode);
-    }
-}
-
-model::PathEnd get_end(Unpacker& unpacker) {
-    model::PathEnd end;
-    end.newton_iterations = unpacker.get_count();
-    end.factorizations = unpacker.get_count();
-    for (auto left = unpacker.get<std::uint64_t>(); left > 0; --left) end.limit_points.push_back(get_point(unpacker));
-    for (auto left = unpacker.get<std::uint64_t>(); left > 0; --left) {
-        auto& bifurcation = end.bifurcations.emplace_back();
-        bifurcation.at = get_point(unpacker);
-        bifurcation.modes = unpacker.get_count();
-        bifurcation.mode = unpacker.get_list();
-    }
-    return end;
-}
-
-}  // namespace
-
 std::vector<std::byte> encode_checkpoint(const model::Checkpoint& checkpoint) {
     Packer packer;
-    for (const auto member : checkpoint_counts) packer.put(std::int64_t{checkpoint.*member});
-    packer.put(checkpoint.controlled);
-    for (const auto member : checkpoint_flags) packer.put(std::uint64_t{checkpoint.*member});
-    for (const auto member : start_lists) packer.put_list(checkpoint.start.*member);
-    packer.put(std::uint64_t{checkpoint.before.has_value()});
-    if (checkpoint.before) put_state(packer, *checkpoint.before);
-    put_state(packer, checkpoint.last);
-    for (const auto member : checkpoint_numbers) packer.put(checkpoint.*member);
-    packer.put_list(checkpoint.visited);
-    put_end(packer, checkpoint.so_far);
+    packer.put(checkpoint);
     return packer.take();
 }
 
 model::Checkpoint decode_checkpoint(std::span<const std::byte> payload, std::string_view source) {
     Unpacker unpacker{payload, source};
-    model::Checkpoint checkpoint;
-    for (const auto member : checkpoint_counts) checkpoint.*member = unpacker.get_count();
-    checkpoint.controlled = unpacker.get_count();
-    for (const auto member : checkpoint_flags) checkpoint.*member = unpacker.get_flag();
-    for (const auto member : start_lists) checkpoint.start.*member = unpacker.get_list();
-    if (unpacker.get_flag()) checkpoint.before = get_state(unpacker);
-    checkpoint.last = get_state(unpacker);
-    for (const auto member : checkpoint_numbers) checkpoint.*member = unpacker.get<double>();
-    checkpoint.visited = unpacker.get_list();
-    checkpoint.so_far = get_end(unpacker);
+    model::Checkpoint read;
+    unpacker.get(read);
     unpacker.require_end();
-    return checkpoint;
+    for (const int count : {read.ranks, read.rows, read.stage, read.stage_first_row, read.control,
+                            read.pending_factorizations, read.so_far.newton_iterations, read.so_far.factorizations})
+        unpacker.require(count >= 0);
+    return read;
 }
 
 }  // namespace soft::io

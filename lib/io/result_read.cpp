@@ -184,8 +184,8 @@ InterruptedSolve read_interrupted(std::span<const std::byte> image, std::string_
     Solved solved = read_solved(parts.hdf5, origin);
     InterruptedSolve interrupted{std::move(solved.file), std::move(solved.changed_design), {}, std::nullopt};
     if (!parts.checkpoint) return interrupted;
-    interrupted.checkpoint = decode_checkpoint(parts.checkpoint->payload, source);
-    for (std::size_t i = 0; i < parts.checkpoint->steps; ++i)
+    interrupted.checkpoint = decode_checkpoint(*parts.checkpoint, source);
+    for (std::size_t i = 0; i < parts.resume_steps; ++i)
         interrupted.steps.push_back(decode_step(parts.steps[i], source).step);
     // The solver checks whether the states match its unknowns.
     if (interrupted.steps.size() != static_cast<std::size_t>(interrupted.checkpoint->rows) ||

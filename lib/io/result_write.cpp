@@ -17,13 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void write_whole(const fs::path& file, std::span<const std::byte> bytes) {
-    core::AtomicFile whole{file};
-    // A named pipe whose reader has closed it is not an error.
-    static_cast<void>(whole.write(bytes));
-    whole.commit();
-}
-
 std::vector<std::byte> sealed_bytes(const ResultImage& image) {
     std::vector<std::byte> bytes = image.bytes();
     seal(bytes);
@@ -110,30 +103,28 @@ private:
 
 struct ResultWriter::State {
     explicit State(ResultImage begun) : image(std::move(begun)) {}
-    /// Creates the file without a name; it gets its name with the first step. An existing file of that name stays unchanged if solve
-    /// fails before.
-    void begin_journal() {
-        require_no_writer(file);
+    /// Creates a file without a name and locks it, so that no other solve can lock it before commit() gives it its name.
+    void create(std::span<const std::byte> bytes) {
         unnamed.emplace(file);
-        static_cast<void>(unnamed->write(sealed_bytes(image)));
-        // A duplicate of the descriptor, so that the file is locked before it gets its name.
+        static_cast<void>(unnamed->write(bytes));
         journal.emplace(file, ::fcntl(unnamed->descriptor(), F_DUPFD_CLOEXEC, 0));
+    }
+    void commit() {
+        unnamed->commit();
+        unnamed.reset();
     }
     void append_record(RecordKind kind, std::span<const std::byte> payload) {
         const std::vector<std::byte> record = make_record(kind, payload);
-        if (unnamed) {
-            journal->append(record);
-            require_no_writer(file);
-            unnamed->commit();
-            unnamed.reset();
-            return;
-        }
         try {
             journal->append(record);
         } catch (const Error& error) {
+            if (unnamed) throw;
             throw Error(error.code(), "", error.what(),
                         "free disk space and continue with solve --resume " + file.string());
         }
+        if (!unnamed) return;
+        require_no_writer(file);
+        commit();
     }
 
     ResultImage image;
@@ -163,7 +154,9 @@ ResultWriter::ResultWriter(const fs::path& file, const SolveInput& given, const 
     state_->file = file;
     if (!is_replaceable(file)) return;
     const QuietErrors quiet;
-    state_->begin_journal();
+    require_no_writer(file);
+    // An existing file stays unchanged until the first step, because the solve may fail before.
+    state_->create(sealed_bytes(state_->image));
 }
 
 ResultWriter::ResultWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -171,16 +164,16 @@ ResultWriter::ResultWriter(std::unique_ptr<State> state) : state_(std::move(stat
 ResultWriter ResultWriter::resume(const fs::path& file, const SolveInput& given) {
     const QuietErrors quiet;
     const ImageParts parts = split_image(given.image, given.source);
+    if (!parts.sealed)
+        throw Error(ExitCode::bad_input, given.source, "the seal after the HDF5 data is missing", "run solve again");
     auto state = std::make_unique<State>(ResultImage::resume({parts.hdf5, given.source, given.solved}));
     state->file = file;
     state->journal.emplace(file);
-    const std::size_t steps = parts.checkpoint ? parts.checkpoint->steps : 0;
-    for (std::size_t i = 0; i < steps; ++i) {
-        const JournalStep record = decode_step(parts.steps[i], given.source);
+    for (const auto payload : std::span{parts.steps}.first(parts.resume_steps)) {
+        const JournalStep record = decode_step(payload, given.source);
         state->image.append(record.step, record.displacement_m, record.pressure_Pa);
     }
-    state->journal->truncate(parts.checkpoint ? parts.checkpoint->end : seal_end(given.image, given.source),
-                             given.image.size());
+    state->journal->truncate(parts.resume_end, given.image.size());
     return ResultWriter{std::move(state)};
 }
 
@@ -196,9 +189,8 @@ void ResultWriter::append(const model::Step& step, std::span<const double> displ
     const QuietErrors quiet;
     state_->image.append(step, displacement, pressure);
     if (!state_->journal) return;
-    const bool with_fields = state_->image.policy().keep != FieldsPolicy::Keep::none;
-    const auto payload = with_fields ? encode_step(step, displacement, pressure) : encode_step(step, {}, {});
-    state_->append_record(RecordKind::step, payload);
+    if (state_->image.policy().keep == FieldsPolicy::Keep::none) displacement = pressure = {};
+    state_->append_record(RecordKind::step, encode_step(step, displacement, pressure));
 }
 
 void ResultWriter::save_checkpoint(const model::Checkpoint& checkpoint) {
@@ -209,12 +201,8 @@ void ResultWriter::publish(ResultWriter rows, const model::PathEnd& end) {
     state_->published = rows.finish(end);
     if (!state_->journal) return;
     state_->was_in_place = is_in_place();
-    core::AtomicFile whole{state_->file};
-    static_cast<void>(whole.write(state_->published));
-    // Locked before it gets its name, so that no other solve can lock the file in between.
-    state_->journal.emplace(state_->file, ::fcntl(whole.descriptor(), F_DUPFD_CLOEXEC, 0));
-    whole.commit();
-    state_->unnamed.reset();
+    state_->create(state_->published);
+    state_->commit();
 }
 
 bool ResultWriter::is_in_place() const {
@@ -228,7 +216,11 @@ std::vector<std::byte> ResultWriter::finish(const model::PathEnd& end) {
         state_->image.finish(end);
         bytes = sealed_bytes(state_->image);
     }
-    if (!state_->file.empty()) write_whole(state_->file, bytes);
+    if (!state_->file.empty()) {
+        core::AtomicFile whole{state_->file};
+        static_cast<void>(whole.write(bytes));  // a named pipe whose reader has closed it is not an error
+        whole.commit();
+    }
     state_->journal.reset();
     return bytes;
 }

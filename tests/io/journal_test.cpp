@@ -160,7 +160,7 @@ TEST_F(Journal, FinishedFileIsTheSameAsTheResultInMemory) {
 TEST_F(Journal, RejectsADamagedRecord) {
     ResultWriter running = writer();
     append(running, 0);
-    const std::size_t start = seal_end(core::read_file(file_), "result.h5");
+    const std::size_t start = split_image(core::read_file(file_), "result.h5").resume_end;
     append(running, 1);
     const Image whole = core::read_file(file_);
     for (std::size_t offset = start + 24; offset < start + 400; offset += 13) {
@@ -174,7 +174,7 @@ TEST_F(Journal, RejectsARecordThatDoesNotMatchTheCase) {
     ResultWriter running = writer();
     append(running, 0);
     Image start = core::read_file(file_);
-    start.resize(seal_end(start, "result.h5"));
+    start.resize(split_image(start, "result.h5").resume_end);
     const auto with = [&](const Image& payload) {
         Image image = start;
         const Image record = make_record(RecordKind::step, payload);
