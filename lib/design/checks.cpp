@@ -2,40 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "core/text.hpp"
-#include "core/units.hpp"
 
 namespace soft::design {
 namespace {
-
-std::optional<core::Dimension> dimension_of(Kind kind) {
-    switch (kind) {
-        case Kind::length: return core::Dimension::length;
-        case Kind::area: return core::Dimension::area;
-        case Kind::volume: return core::Dimension::volume;
-        case Kind::pressure: return core::Dimension::pressure;
-        case Kind::angle: return core::Dimension::angle;
-        case Kind::density: return core::Dimension::density;
-        case Kind::mass: return core::Dimension::mass;
-        case Kind::acceleration: return core::Dimension::acceleration;
-        case Kind::time: return core::Dimension::time;
-        case Kind::rate: return core::Dimension::rate;
-        case Kind::flow_resistance: return core::Dimension::flow_resistance;
-        case Kind::force: return core::Dimension::force;
-        case Kind::moment: return core::Dimension::moment;
-        case Kind::curvature: return core::Dimension::curvature;
-        case Kind::ratio: return core::Dimension::ratio;
-        case Kind::count:
-        case Kind::flag:
-        case Kind::text:
-        case Kind::choice:
-        case Kind::faces:
-        case Kind::list: return std::nullopt;
-    }
-    return std::nullopt;
-}
 
 template <class T>
 T value_or_refuse(const core::Parsed<T>& parsed, const Key& key, const Node& node) {
@@ -157,6 +128,33 @@ void add_face(const Key& key, Item& item, const Node& node, const FaceNames& nam
 }
 
 }  // namespace
+
+std::optional<core::Dimension> dimension_of(Kind kind) {
+    switch (kind) {
+        case Kind::length: return core::Dimension::length;
+        case Kind::area: return core::Dimension::area;
+        case Kind::volume: return core::Dimension::volume;
+        case Kind::pressure: return core::Dimension::pressure;
+        case Kind::angle: return core::Dimension::angle;
+        case Kind::density: return core::Dimension::density;
+        case Kind::mass: return core::Dimension::mass;
+        case Kind::acceleration: return core::Dimension::acceleration;
+        case Kind::time: return core::Dimension::time;
+        case Kind::rate: return core::Dimension::rate;
+        case Kind::flow_resistance: return core::Dimension::flow_resistance;
+        case Kind::force: return core::Dimension::force;
+        case Kind::moment: return core::Dimension::moment;
+        case Kind::curvature: return core::Dimension::curvature;
+        case Kind::ratio: return core::Dimension::ratio;
+        case Kind::count:
+        case Kind::flag:
+        case Kind::text:
+        case Kind::choice:
+        case Kind::faces:
+        case Kind::list: return std::nullopt;
+    }
+    return std::nullopt;
+}
 
 std::string resolve_face(const FaceNames& names, std::string_view face) {
     if (std::find(names.faces.begin(), names.faces.end(), face) != names.faces.end()) return std::string{face};

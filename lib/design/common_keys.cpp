@@ -76,32 +76,6 @@ std::vector<Key> model_keys(const FamilyKeys& family) {
     return keys;
 }
 
-Key law_key() {
-    return {.path = "material.law",
-            .kind = Kind::choice,
-            .meaning = "constitutive law of the rubber",
-            .choices = law_names()};
-}
-
-Key kappa_key() {
-    return {.path = "material.kappa",
-            .kind = Kind::pressure,
-            .fallback = "incompressible",
-            .meaning = "bulk modulus",
-            .min = 0,
-            .min_open = true,
-            .choices = {"incompressible"}};
-}
-
-Key volumetric_key() {
-    return {
-        .path = "material.volumetric",
-        .kind = Kind::choice,
-        .fallback = "quadratic",
-        .meaning = "energy of a change of volume J: kappa/2 (J - 1)^2, kappa/2 (ln J)^2 or kappa/4 (J^2 - 1 - 2 ln J)",
-        .choices = {"quadratic", "log", "mixed"}};
-}
-
 Key support_key(const std::string& component) {
     const std::string what = component == "fixed" ? "faces fixed in all displacement components"
                                                   : "faces fixed in displacement component " + component;

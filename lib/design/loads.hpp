@@ -8,11 +8,10 @@
 
 #include "design/collect.hpp"
 #include "design/design.hpp"
+#include "design/load_keys.hpp"
 #include "design/sections.hpp"
 
 namespace soft::design {
-
-enum class LoadKind { gas, shared_gas, face_pressure, traction, gravity, motion };
 
 /// A load as written in `loads` or in a stage.
 struct LoadEntry {
@@ -22,6 +21,7 @@ struct LoadEntry {
     LoadKind kind = LoadKind::gas;
     model::Prescription what = model::Prescription::pressure;
     std::string value = {};  ///< path of the key with the magnitude: "loads.cavity.pressure"
+    const LoadForm* form = nullptr;
 };
 
 /// Adds the keys of all loads and returns the loads in document order. Loads with an unknown name are skipped; collect() rejects
