@@ -37,6 +37,7 @@ inline constexpr std::string_view no_face = "none";
 
 /// The dimension of a quantity or ratio; nullopt for other kinds.
 [[nodiscard]] std::optional<core::Dimension> dimension_of(Kind kind);
+[[nodiscard]] Kind kind_of(core::Dimension dimension);
 
 /// Parses and checks a value. Throws Error(bad_input) with the location of `node`.
 [[nodiscard]] Item check_value(const Key& key, const Node& node, const FaceNames& names);

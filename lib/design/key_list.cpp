@@ -80,12 +80,10 @@ Keys keys_of_material(const Node& material) {
 
 /// The keys of `material` except the parameters of the laws. A variant that only a few laws have names them.
 Keys material_section_keys() {
-    Keys keys = {{.path = "material.name",
-                  .kind = Kind::text,
-                  .meaning = "silicone of the material library, in place of a law and its parameters"},
-                 {.path = "material.range",
-                  .kind = Kind::ratio,
-                  .meaning = "with name: selects the narrowest set of constants that covers this engineering strain"}};
+    Keys keys = {value_key("material.name", Kind::text, {},
+                           "silicone of the material library, in place of a law and its parameters"),
+                 value_key("material.range", Kind::ratio, {},
+                           "with name: selects the narrowest set of constants that covers this engineering strain")};
     std::vector<std::pair<Key, std::vector<std::string>>> variants;
     const auto add = [&](const Key& key, const material::LawInfo& law) {
         const auto found = std::ranges::find_if(

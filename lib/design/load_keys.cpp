@@ -18,27 +18,27 @@ std::vector<LoadForm> cavity_forms() {
     return {
         {.target = cavity,
          .kind = gas,
-         .magnitude = required("pressure", Kind::pressure, {},
-                               "gauge pressure @; positive acts against the surface and inflates a cavity; a cavity "
-                               "may have volume, volume_ratio, mass or valve instead"),
+         .magnitude = value_key("pressure", Kind::pressure, {},
+                                "gauge pressure @; positive acts against the surface and inflates a cavity; a cavity "
+                                "may have volume, volume_ratio, mass or valve instead"),
          .example = "30 kPa"},
         {.target = cavity,
          .kind = gas,
          .magnitude =
-             required("volume", Kind::volume, above(0), "enclosed volume @, of all cavities that share the gas"),
+             value_key("volume", Kind::volume, above(0), "enclosed volume @, of all cavities that share the gas"),
          .example = "100 mL",
          .what = Prescription::volume},
         {.target = cavity,
          .kind = gas,
-         .magnitude = required("volume_ratio", Kind::ratio, above(0),
-                               "enclosed volume over its undeformed value @, of all cavities that share the gas"),
+         .magnitude = value_key("volume_ratio", Kind::ratio, above(0),
+                                "enclosed volume over its undeformed value @, of all cavities that share the gas"),
          .example = "3",
          .what = Prescription::volume_ratio},
         {.target = cavity,
          .kind = gas,
-         .magnitude = required("mass", Kind::mass, {},
-                               "mass of gas injected @ since the start of the path, in addition to the gas that "
-                               "fills the undeformed cavity"),
+         .magnitude = value_key("mass", Kind::mass, {},
+                                "mass of gas injected @ since the start of the path, in addition to the gas that "
+                                "fills the undeformed cavity"),
          .example = "50 mg",
          .what = Prescription::mass},
         {.target = cavity,
@@ -65,29 +65,29 @@ std::vector<LoadForm> other_forms() {
              .example = "30 kPa"},
             {.target = LoadTarget::face,
              .kind = traction,
-             .magnitude = required("traction", Kind::pressure, {},
-                                   "force per undeformed area @; its direction stays fixed in space"),
+             .magnitude = value_key("traction", Kind::pressure, {},
+                                    "force per undeformed area @; its direction stays fixed in space"),
              .example = "30 kPa",
              .along = traction_along},
             {.target = LoadTarget::face,
              .kind = traction,
-             .magnitude = required("force", Kind::force, {},
-                                   "dead force on the whole face of the whole actuator @, spread evenly over the "
-                                   "undeformed face; its direction stays fixed in space"),
+             .magnitude = value_key("force", Kind::force, {},
+                                    "dead force on the whole face of the whole actuator @, spread evenly over the "
+                                    "undeformed face; its direction stays fixed in space"),
              .example = "2 N",
              .along = traction_along},
             {.target = LoadTarget::face,
              .kind = motion,
-             .magnitude = required("displacement", Kind::length, {},
-                                   "prescribed motion of the whole face @; its other components stay free"),
+             .magnitude = value_key("displacement", Kind::length, {},
+                                    "prescribed motion of the whole face @; its other components stay free"),
              .example = "10 mm",
              .along = direction_key("prescribed displacement component; normal or axis only where parallel to a "
                                     "coordinate direction"),
              .takes_time_function = false},
             {.target = LoadTarget::gravity,
              .kind = gravity,
-             .magnitude = required("acceleration", Kind::acceleration, {},
-                                   "force per mass of the rubber @; needs material.density"),
+             .magnitude = value_key("acceleration", Kind::acceleration, {},
+                                    "force per mass of the rubber @; needs material.density"),
              .example = "9.81 m/s^2",
              .along = choice_key("along", "", {"x", "y", "z", "axis", "-x", "-y", "-z", "-axis"},
                                  "direction of gravity; axis is the direction in which the actuator gets longer")}};
@@ -124,10 +124,11 @@ const Settings<PressureLoad>& pressure_settings() {
         all.push_back(or_word(
             "none",
             Setting<PressureLoad>{
-                required(line_resistance, Kind::flow_resistance, above(0),
-                         "flow resistance of the tube between the source, whose pressure is the time function, and the "
-                         "cavity: pressure drop per volume flow at ambient pressure; none: the time function is the "
-                         "pressure in the cavity"),
+                value_key(
+                    line_resistance, Kind::flow_resistance, above(0),
+                    "flow resistance of the tube between the source, whose pressure is the time function, and the "
+                    "cavity: pressure drop per volume flow at ambient pressure; none: the time function is the "
+                    "pressure in the cavity"),
                 [](const Values& values, const std::string& path, PressureLoad& load) {
                     if (values.number(path) > 0) load.line = model::SupplyLine{values.number(path)};
                 }}));

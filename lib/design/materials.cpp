@@ -16,7 +16,7 @@ constexpr std::string_view example_material = "{law: neo-hookean, mu: 0.1644 MPa
 /// Path of a key in a section, which is "material" or "materials.<name>".
 std::string at(const std::string& section, std::string_view key) { return section + "." + std::string{key}; }
 
-Kind kind_of(material::Quantity quantity) {
+Kind kind_of_quantity(material::Quantity quantity) {
     switch (quantity) {
         case material::Quantity::pressure: return Kind::pressure;
         case material::Quantity::ratio: return Kind::ratio;
@@ -34,10 +34,10 @@ Kind kind_of(material::Quantity quantity) {
 /// young and poisson, in place of mu and kappa.
 std::vector<Key> young_poisson_keys(const material::LawInfo& law) {
     const bool incompressible = law.bulk == material::Bulk::selectable;
-    return {required("young", Kind::pressure, above(0), "Young's modulus, in place of mu and kappa"),
-            required("poisson", Kind::ratio, {-1, 0.5, true},
-                     incompressible ? "Poisson's ratio; 0.5 is incompressible"
-                                    : "Poisson's ratio below 0.5; the law has no incompressible form")};
+    return {value_key("young", Kind::pressure, above(0), "Young's modulus, in place of mu and kappa"),
+            value_key("poisson", Kind::ratio, {-1, 0.5, true},
+                      incompressible ? "Poisson's ratio; 0.5 is incompressible"
+                                     : "Poisson's ratio below 0.5; the law has no incompressible form")};
 }
 
 Setting<Material> bulk_setting() {
@@ -47,7 +47,7 @@ Setting<Material> bulk_setting() {
 
 Key bulk_key(const material::LawInfo& law) {
     if (law.bulk == material::Bulk::selectable) return bulk_setting().key;
-    return required("kappa", Kind::pressure, above(0), "bulk modulus; the law has no incompressible form");
+    return value_key("kappa", Kind::pressure, above(0), "bulk modulus; the law has no incompressible form");
 }
 
 /// The settings that do not depend on the law.
@@ -104,13 +104,10 @@ void add_fit_keys(Schema& schema, const MaterialSection& written) {
     for (const Member& member : fit->members) {
         const std::string path = at(fit_path, member.key);
         if (std::ranges::find(texts, member.key) != texts.end())
-            schema.keys.push_back(
-                {.path = path, .kind = Kind::text, .meaning = "description of the test data of the constants"});
+            schema.keys.push_back(value_key(path, Kind::text, {}, "description of the test data of the constants"));
         if (member.key == "max_I1")
-            schema.keys.push_back({.path = path,
-                                   .kind = Kind::ratio,
-                                   .meaning = "largest I1 of the test data; solve warns beyond it",
-                                   .min = 3});
+            schema.keys.push_back(
+                value_key(path, Kind::ratio, at_least(3), "largest I1 of the test data; solve warns beyond it"));
     }
     schema.names[fit_path].emplace_back("max_I1");
 }
@@ -188,7 +185,7 @@ std::vector<std::string> law_names() {
 
 Key parameter_key(const material::Parameter& parameter) {
     return {.path = std::string{parameter.name},
-            .kind = kind_of(parameter.quantity),
+            .kind = kind_of_quantity(parameter.quantity),
             .fallback = std::string{parameter.fallback},
             .meaning = std::string{parameter.meaning},
             .min = parameter.min,

@@ -35,17 +35,10 @@ Key controlled_key(const std::string& path, std::vector<std::string> choices) {
                    "as path.controlled, or another output or cavity");
 }
 
-Kind kind_of(const Node* measure) {
-    const auto known = std::ranges::find_if(model::all_measures, [&](model::Measure m) {
-        return measure != nullptr && measure->text == model::name_of(m);
-    });
-    switch (known == model::all_measures.end() ? core::Dimension::length : model::unit_of(*known).dimension) {
-        case core::Dimension::angle: return Kind::angle;
-        case core::Dimension::curvature: return Kind::curvature;
-        case core::Dimension::force: return Kind::force;
-        case core::Dimension::moment: return Kind::moment;
-        default: return Kind::length;
-    }
+Kind kind_of_output(const Node* measure) {
+    const auto known = std::ranges::find(model::measures, measure == nullptr ? "displacement" : measure->text,
+                                         &model::MeasureInfo::name);
+    return known == model::measures.end() ? Kind::length : kind_of(known->unit.dimension);
 }
 
 /// An output of the tree and the kind of its values.
@@ -56,7 +49,7 @@ struct NamedOutput {
 std::vector<NamedOutput> named_outputs(const Node& root) {
     std::vector<NamedOutput> outputs;
     for (const Member& output : members_of(root, "outputs")) {
-        outputs.push_back({output.key, kind_of(find(output.value, "measure"))});
+        outputs.push_back({output.key, kind_of_output(find(output.value, "measure"))});
     }
     return outputs;
 }
@@ -68,9 +61,8 @@ void add_until_keys(Schema& schema, const Node& root, const std::string& section
     for (const Member& until : members_of(root, section)) {
         const auto output = std::ranges::find(outputs, until.key, &NamedOutput::name);
         if (output != outputs.end())
-            schema.keys.push_back({.path = section + "." + until.key,
-                                   .kind = output->kind,
-                                   .meaning = "the path or stage ends when the output reaches this value"});
+            schema.keys.push_back(value_key(section + "." + until.key, output->kind, {},
+                                            "the path or stage ends when the output reaches this value"));
         else if (std::ranges::find(ends, until.key) != ends.end())
             schema.keys.push_back(until_key(section, until.key));
     }
@@ -94,11 +86,8 @@ StageEntry add_stage_keys(Schema& schema, const Node& root, const Member& stage,
     if (own != nullptr && own->kind == Node::Kind::map)
         add_until_keys(schema, root, until, named_outputs(root));
     else
-        schema.keys.push_back({.path = until,
-                               .kind = Kind::choice,
-                               .fallback = as_path,
-                               .meaning = "as path.until, none, or a separate group {quantity: value}",
-                               .choices = {as_path, no_end}});
+        schema.keys.push_back(choice_key(until, as_path, {as_path, no_end},
+                                         "as path.until, none, or a separate group {quantity: value}"));
     return entry;
 }
 

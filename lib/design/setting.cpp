@@ -6,7 +6,7 @@
 
 namespace soft::design {
 
-Key required(std::string path, Kind kind, Range range, std::string meaning) {
+Key value_key(std::string path, Kind kind, Range range, std::string meaning) {
     return {.path = std::move(path),
             .kind = kind,
             .meaning = std::move(meaning),
@@ -16,11 +16,19 @@ Key required(std::string path, Kind kind, Range range, std::string meaning) {
 }
 
 Key choice_key(std::string path, std::string fallback, std::vector<std::string> choices, std::string meaning) {
-    return {.path = std::move(path),
-            .kind = Kind::choice,
-            .fallback = std::move(fallback),
-            .meaning = std::move(meaning),
-            .choices = std::move(choices)};
+    Key key = with_default(std::move(fallback), value_key(std::move(path), Kind::choice, {}, std::move(meaning)));
+    key.choices = std::move(choices);
+    return key;
+}
+
+Key with_default(std::string fallback, Key key) {
+    key.fallback = std::move(fallback);
+    return key;
+}
+
+Key or_word(std::string word, Key key) {
+    key.choices = {word};
+    return with_default(std::move(word), std::move(key));
 }
 
 std::string default_text(double value, Kind kind) {

@@ -7,7 +7,6 @@
 /// Private to the module. Tested by design/setting_test.
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -25,21 +24,6 @@ struct Setting {
 };
 template <class Struct>
 using Settings = std::vector<Setting<Struct>>;
-
-/// Allowed numbers, SI.
-struct Range {
-    double min = -std::numeric_limits<double>::infinity(), max = std::numeric_limits<double>::infinity();
-    bool min_open = false;
-};
-constexpr Range above(double min) { return {.min = min, .min_open = true}; }
-constexpr Range at_least(double min) { return {.min = min}; }
-inline constexpr Range share{0, 1, true};
-
-/// The key of a number or quantity without a default.
-[[nodiscard]] Key required(std::string path, Kind kind, Range range, std::string meaning);
-/// The key of a choice; `fallback` may be empty.
-[[nodiscard]] Key choice_key(std::string path, std::string fallback, std::vector<std::string> choices,
-                             std::string meaning);
 
 /// The default of a member as written in a design, in a suitable unit.
 [[nodiscard]] std::string default_text(double value, Kind kind);
@@ -64,7 +48,7 @@ inline void assign(const Values& values, const std::string& path, std::optional<
 template <class Struct, class Member>
 [[nodiscard]] Setting<Struct> quantity(std::string name, Member Struct::*member, Kind kind, Range range,
                                        std::string meaning) {
-    Key key = required(std::move(name), kind, range, std::move(meaning));
+    Key key = value_key(std::move(name), kind, range, std::move(meaning));
     key.fallback = default_text(Struct{}.*member, kind);
     return {std::move(key), [member](const Values& values, const std::string& path, Struct& target) {
                 assign(values, path, target.*member);
@@ -113,8 +97,7 @@ template <class Struct, class Value>
 /// Allows `word` in place of a number and makes it the default, which leaves the member 0 or without a value.
 template <class Struct>
 [[nodiscard]] Setting<Struct> or_word(std::string word, Setting<Struct> setting) {
-    setting.key.fallback = word;
-    setting.key.choices = {std::move(word)};
+    setting.key = or_word(std::move(word), std::move(setting.key));
     return setting;
 }
 
