@@ -68,14 +68,16 @@ std::vector<LoadForm> other_forms() {
              .magnitude = value_key("traction", Kind::pressure, {},
                                     "force per undeformed area @; its direction stays fixed in space"),
              .example = "30 kPa",
-             .along = traction_along},
+             .along = traction_along,
+             .levels = &model::Stage::tractions},
             {.target = LoadTarget::face,
              .kind = traction,
              .magnitude = value_key("force", Kind::force, {},
                                     "dead force on the whole face of the whole actuator @, spread evenly over the "
                                     "undeformed face; its direction stays fixed in space"),
              .example = "2 N",
-             .along = traction_along},
+             .along = traction_along,
+             .levels = &model::Stage::tractions},
             {.target = LoadTarget::face,
              .kind = motion,
              .magnitude = value_key("displacement", Kind::length, {},
@@ -83,6 +85,7 @@ std::vector<LoadForm> other_forms() {
              .example = "10 mm",
              .along = direction_key("prescribed displacement component; normal or axis only where parallel to a "
                                     "coordinate direction"),
+             .levels = &model::Stage::motions,
              .takes_time_function = false},
             {.target = LoadTarget::gravity,
              .kind = gravity,
@@ -90,7 +93,8 @@ std::vector<LoadForm> other_forms() {
                                     "force per mass of the rubber @; needs material.density"),
              .example = "9.81 m/s^2",
              .along = choice_key("along", "", {"x", "y", "z", "axis", "-x", "-y", "-z", "-axis"},
-                                 "direction of gravity; axis is the direction in which the actuator gets longer")}};
+                                 "direction of gravity; axis is the direction in which the actuator gets longer"),
+             .levels = &model::Stage::body_forces}};
 }
 
 Settings<Gas> gas_settings() {

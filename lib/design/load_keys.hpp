@@ -28,7 +28,9 @@ struct LoadForm {
     std::string example;                                       ///< a magnitude: "2 N"
     Key along = {};                                            ///< key of the direction, where the load has one
     model::Prescription what = model::Prescription::pressure;  ///< of a gas
-    bool takes_time_function = true;                           ///< in a dynamic design
+    std::vector<double> model::Stage::*levels =
+        nullptr;                      ///< its level in a stage; nullptr for a pressure, volume or mass
+    bool takes_time_function = true;  ///< in a dynamic design
     [[nodiscard]] const std::string& word() const { return magnitude.path; }
 };
 /// All forms; the first one of a target is the usual one.

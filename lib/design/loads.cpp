@@ -137,25 +137,25 @@ LoadSlot add_load(const LoadEntry& entry, double value, Loads& loads, const Valu
         case LoadKind::gas:
         case LoadKind::face_pressure:
             loads.pressures.push_back(pressure_load(entry, values));
-            return {entry.kind, loads.pressures.size() - 1, value};
+            return {entry.form, loads.pressures.size() - 1, value};
         case LoadKind::shared_gas: break;
         case LoadKind::traction:
             check_direction(values, entry.path + ".along");
             loads.tractions.push_back(
                 {entry.name, value, values.text(entry.path + ".along"), time_function_of(values, entry.path),
                  entry.form->word() == "force" ? Design::Spread::whole_face : Design::Spread::per_area});
-            return {entry.kind, loads.tractions.size() - 1, value};
+            return {entry.form, loads.tractions.size() - 1, value};
         case LoadKind::gravity:
             require_density(values, entry.value);
             loads.body_forces.push_back(
                 {entry.name, value, values.text(entry.path + ".along"), time_function_of(values, entry.path)});
-            return {entry.kind, loads.body_forces.size() - 1, value};
+            return {entry.form, loads.body_forces.size() - 1, value};
         case LoadKind::motion:
             check_direction(values, entry.path + ".along");
             loads.motions.push_back({entry.name, value, values.text(entry.path + ".along")});
-            return {entry.kind, loads.motions.size() - 1, value};
+            return {entry.form, loads.motions.size() - 1, value};
     }
-    return {entry.kind, 0, value};
+    return {entry.form, 0, value};
 }
 
 }  // namespace

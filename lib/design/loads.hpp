@@ -38,9 +38,9 @@ struct StageLoad {
 [[nodiscard]] std::vector<StageLoad> add_stage_load_keys(Schema& schema, const Node& root, const std::string& stage,
                                                          std::span<const LoadEntry> loads);
 
-/// Where an entry is stored: the list of the case (by kind), the index in it, and its value at the full load (SI).
+/// Where an entry is stored: the index in the list of the case, and its value at the full load (SI).
 struct LoadSlot {
-    LoadKind kind;
+    const LoadForm* form;
     std::size_t index;
     double value;
 };

@@ -39,14 +39,10 @@ private:
     void set_target(const StageLoad& load, model::Stage& stage) const {
         const LoadSlot& slot = parts_.loads.slots[load.index];
         const double value = load.what == Prescription::closed ? 0 : values_.number(load.value);
-        switch (slot.kind) {
-            case LoadKind::gas:
-            case LoadKind::face_pressure: stage.supplies[slot.index] = {load.what, value}; break;
-            case LoadKind::shared_gas: break;
-            case LoadKind::traction: stage.tractions[slot.index] = value / slot.value; break;
-            case LoadKind::gravity: stage.body_forces[slot.index] = value / slot.value; break;
-            case LoadKind::motion: stage.motions[slot.index] = value / slot.value; break;
-        }
+        if (slot.form->levels != nullptr)
+            (stage.*slot.form->levels)[slot.index] = value / slot.value;
+        else
+            stage.supplies[slot.index] = {load.what, value};
     }
 
     /// The key of the stage, or that of the path if the stage inherits it.
@@ -137,10 +133,11 @@ private:
 
 model::Stage unloaded(const Loads& loads) {
     model::Stage stage;
-    stage.supplies.resize(loads.pressures.size());
-    stage.tractions.resize(loads.tractions.size());
-    stage.body_forces.resize(loads.body_forces.size());
-    stage.motions.resize(loads.motions.size());
+    for (const LoadSlot& slot : loads.slots)
+        if (slot.form->levels != nullptr)
+            (stage.*slot.form->levels).push_back(0);
+        else if (slot.form->kind != LoadKind::shared_gas)
+            stage.supplies.emplace_back();
     return stage;
 }
 
