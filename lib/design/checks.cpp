@@ -1,41 +1,33 @@
 #include "design/checks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <optional>
 
 #include "core/text.hpp"
-#include "core/units.hpp"
 
 namespace soft::design {
 namespace {
 
-std::optional<core::Dimension> dimension_of(Kind kind) {
-    switch (kind) {
-        case Kind::length: return core::Dimension::length;
-        case Kind::area: return core::Dimension::area;
-        case Kind::volume: return core::Dimension::volume;
-        case Kind::pressure: return core::Dimension::pressure;
-        case Kind::angle: return core::Dimension::angle;
-        case Kind::density: return core::Dimension::density;
-        case Kind::mass: return core::Dimension::mass;
-        case Kind::acceleration: return core::Dimension::acceleration;
-        case Kind::time: return core::Dimension::time;
-        case Kind::rate: return core::Dimension::rate;
-        case Kind::flow_resistance: return core::Dimension::flow_resistance;
-        case Kind::force: return core::Dimension::force;
-        case Kind::moment: return core::Dimension::moment;
-        case Kind::curvature: return core::Dimension::curvature;
-        case Kind::ratio: return core::Dimension::ratio;
-        case Kind::count:
-        case Kind::flag:
-        case Kind::text:
-        case Kind::choice:
-        case Kind::faces:
-        case Kind::list: return std::nullopt;
-    }
-    return std::nullopt;
-}
+struct QuantityKind {
+    Kind kind;
+    core::Dimension dimension;
+};
+constexpr std::array quantity_kinds{QuantityKind{Kind::length, core::Dimension::length},
+                                    QuantityKind{Kind::area, core::Dimension::area},
+                                    QuantityKind{Kind::volume, core::Dimension::volume},
+                                    QuantityKind{Kind::pressure, core::Dimension::pressure},
+                                    QuantityKind{Kind::angle, core::Dimension::angle},
+                                    QuantityKind{Kind::density, core::Dimension::density},
+                                    QuantityKind{Kind::mass, core::Dimension::mass},
+                                    QuantityKind{Kind::acceleration, core::Dimension::acceleration},
+                                    QuantityKind{Kind::time, core::Dimension::time},
+                                    QuantityKind{Kind::rate, core::Dimension::rate},
+                                    QuantityKind{Kind::flow_resistance, core::Dimension::flow_resistance},
+                                    QuantityKind{Kind::force, core::Dimension::force},
+                                    QuantityKind{Kind::moment, core::Dimension::moment},
+                                    QuantityKind{Kind::curvature, core::Dimension::curvature},
+                                    QuantityKind{Kind::ratio, core::Dimension::ratio}};
 
 template <class T>
 T value_or_refuse(const core::Parsed<T>& parsed, const Key& key, const Node& node) {
@@ -158,6 +150,16 @@ void add_face(const Key& key, Item& item, const Node& node, const FaceNames& nam
 
 }  // namespace
 
+std::optional<core::Dimension> dimension_of(Kind kind) {
+    const auto row = std::ranges::find(quantity_kinds, kind, &QuantityKind::kind);
+    return row == quantity_kinds.end() ? std::nullopt : std::optional{row->dimension};
+}
+
+Kind kind_of(core::Dimension dimension) {
+    const auto row = std::ranges::find(quantity_kinds, dimension, &QuantityKind::dimension);
+    return row == quantity_kinds.end() ? Kind::ratio : row->kind;
+}
+
 std::string resolve_face(const FaceNames& names, std::string_view face) {
     if (std::find(names.faces.begin(), names.faces.end(), face) != names.faces.end()) return std::string{face};
     const auto alias = names.aliases.find(std::string{face});
@@ -196,24 +198,9 @@ Item check_value(const Key& key, const Node& node, const FaceNames& names) {
         case Kind::flag: check_flag(key, item, node); break;
         case Kind::choice: check_choice(key, node); break;
         case Kind::text: check_text(key, node); break;
-        case Kind::length:
-        case Kind::area:
-        case Kind::volume:
-        case Kind::pressure:
-        case Kind::angle:
-        case Kind::density:
-        case Kind::mass:
-        case Kind::acceleration:
-        case Kind::time:
-        case Kind::rate:
-        case Kind::flow_resistance:
-        case Kind::force:
-        case Kind::moment:
-        case Kind::curvature:
-        case Kind::ratio:
-        case Kind::count: check_number(key, item, node); break;
         case Kind::list:
         case Kind::faces: break;
+        default: check_number(key, item, node); break;  // a quantity or a count
     }
     return item;
 }

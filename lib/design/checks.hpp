@@ -1,10 +1,12 @@
 #pragma once
 /// Checks one value against its Key: syntax, unit, range, choices, faces. Private to the module. Tested by design/read_test.
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/units.hpp"
 #include "design/design.hpp"
 #include "design/schema.hpp"
 #include "design/tree.hpp"
@@ -32,6 +34,10 @@ inline constexpr std::string_view no_face = "none";
 [[nodiscard]] std::string resolve_face(const FaceNames& names, std::string_view face);
 /// All faces, then all aliases: the candidates for "did you mean".
 [[nodiscard]] std::vector<std::string> all_names(const FaceNames& names);
+
+/// The dimension of a quantity or ratio; nullopt for other kinds.
+[[nodiscard]] std::optional<core::Dimension> dimension_of(Kind kind);
+[[nodiscard]] Kind kind_of(core::Dimension dimension);
 
 /// Parses and checks a value. Throws Error(bad_input) with the location of `node`.
 [[nodiscard]] Item check_value(const Key& key, const Node& node, const FaceNames& names);

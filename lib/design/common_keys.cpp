@@ -1,70 +1,40 @@
 #include "design/common_keys.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 #include "core/text.hpp"
-#include "design/materials.hpp"
+#include "design/setting.hpp"
 
 namespace soft::design {
 
 std::vector<std::string> directions() { return {"axis", "x", "y", "z", "r", "normal"}; }
 
 std::vector<Key> head_keys(const FamilyKeys& family) {
-    return {{.path = "family",
-             .kind = Kind::choice,
-             .meaning = "actuator family, see `mesh-gen --list`",
-             .choices = {family.name}},
-            {.path = "name",
-             .kind = Kind::text,
-             .fallback = family.name,
-             .meaning = "title of the case in files and plots"}};
+    return {choice_key("family", "", {family.name}, "actuator family, see `mesh-gen --list`"),
+            with_default(family.name, value_key("name", Kind::text, {}, "title of the case in files and plots"))};
 }
 
 std::vector<Key> model_keys(const FamilyKeys& family) {
     std::vector<Key> keys = {
-        {.path = "model",
-         .kind = Kind::choice,
-         .fallback = family.models.empty() ? "" : family.models.front(),
-         .meaning =
-             "what is meshed: the section of a body of revolution or of a long body in plane strain (1 m deep), or a solid, "
-             "whole or cut at its planes of symmetry",
-         .choices = family.models},
-        {.path = "mesh.size",
-         .kind = Kind::length,
-         .meaning = "target edge length of a cell",
-         .min = 0,
-         .min_open = true},
-        {.path = "mesh.quality",
-         .kind = Kind::choice,
-         .fallback = "normal",
-         .meaning =
-             "number of cells where mesh.size is auto: draft has half as many along every length, fine 1.5 times as many",
-         .choices = {"draft", "normal", "fine"}},
-        {.path = "mesh.formulation",
-         .kind = Kind::choice,
-         .fallback = "mixed",
-         .meaning = "mixed has the pressure as an unknown and does not lock; displacement is for compressible rubber; "
-                    "f-bar averages the change of volume over each first-order quadrilateral or hexahedron",
-         .choices = {"mixed", "displacement", "f-bar"}},
-        {.path = "mesh.order",
-         .kind = Kind::count,
-         .fallback = "2",
-         .meaning = "polynomial order of the cells; mixed needs 2",
-         .min = 1,
-         .max = 2},
-        {.path = "mesh.cells",
-         .kind = Kind::choice,
-         .fallback = "auto",
-         .meaning = "auto: quadrilaterals and hexahedra; simplices: each split into triangles or tetrahedra",
-         .choices = {"auto", "simplices"}},
+        choice_key(
+            "model", family.models.empty() ? "" : family.models.front(), family.models,
+            "what is meshed: the section of a body of revolution or of a long body in plane strain (1 m deep), or "
+            "a solid, whole or cut at its planes of symmetry"),
+        value_key("mesh.size", Kind::length, above(0), "target edge length of a cell"),
+        choice_key("mesh.quality", "normal", {"draft", "normal", "fine"},
+                   "number of cells where mesh.size is auto: draft has half as many along every length, fine 1.5 times "
+                   "as many"),
+        choice_key("mesh.formulation", "mixed", {"mixed", "displacement", "f-bar"},
+                   "mixed has the pressure as an unknown and does not lock; displacement is for compressible rubber; "
+                   "f-bar averages the change of volume over each first-order quadrilateral or hexahedron"),
+        with_default("2", value_key("mesh.order", Kind::count, {1, 2}, "polynomial order of the cells; mixed needs 2")),
+        choice_key("mesh.cells", "auto", {"auto", "simplices"},
+                   "auto: quadrilaterals and hexahedra; simplices: each split into triangles or tetrahedra"),
+        with_default("0", value_key("mesh.refine", Kind::count, {0, 8},
+                                    "number of uniform refinements; each halves every cell in all directions")),
     };
     if (family.faces_of_file) std::erase_if(keys, [](const Key& key) { return key.path == "mesh.size"; });
-    keys.push_back({.path = "mesh.refine",
-                    .kind = Kind::count,
-                    .fallback = "0",
-                    .meaning = "number of uniform refinements; each halves every cell in all directions",
-                    .min = 0,
-                    .max = 8});
     for (const Key& own : family.mesh) {
         const auto common =
             std::find_if(keys.begin(), keys.end(), [&](const Key& key) { return key.path == own.path; });
@@ -76,40 +46,14 @@ std::vector<Key> model_keys(const FamilyKeys& family) {
     return keys;
 }
 
-Key law_key() {
-    return {.path = "material.law",
-            .kind = Kind::choice,
-            .meaning = "constitutive law of the rubber",
-            .choices = law_names()};
-}
-
-Key kappa_key() {
-    return {.path = "material.kappa",
-            .kind = Kind::pressure,
-            .fallback = "incompressible",
-            .meaning = "bulk modulus",
-            .min = 0,
-            .min_open = true,
-            .choices = {"incompressible"}};
-}
-
-Key volumetric_key() {
-    return {
-        .path = "material.volumetric",
-        .kind = Kind::choice,
-        .fallback = "quadratic",
-        .meaning = "energy of a change of volume J: kappa/2 (J - 1)^2, kappa/2 (ln J)^2 or kappa/4 (J^2 - 1 - 2 ln J)",
-        .choices = {"quadratic", "log", "mixed"}};
-}
-
 Key support_key(const std::string& component) {
     const std::string what = component == "fixed" ? "faces fixed in all displacement components"
                                                   : "faces fixed in displacement component " + component;
-    return {.path = "supports." + component, .kind = Kind::faces, .meaning = what};
+    return value_key("supports." + component, Kind::faces, {}, what);
 }
 
 Key output_face_key(const std::string& output) {
-    return {.path = "outputs." + output + ".face", .kind = Kind::faces, .meaning = "face that is measured"};
+    return value_key("outputs." + output + ".face", Kind::faces, {}, "face that is measured");
 }
 
 Key output_point_key(const std::string& output) {
@@ -121,106 +65,69 @@ Key output_point_key(const std::string& output) {
             .max_count = 3};
 }
 
-namespace {
-
-std::vector<std::string> measure_words() {
-    std::vector<std::string> words;
-    for (const model::Measure measure : model::all_measures) words.emplace_back(model::name_of(measure));
-    return words;
-}
-
-}  // namespace
-
 Key output_measure_key(const std::string& output) {
-    return {
-        .path = "outputs." + output + ".measure",
-        .kind = Kind::choice,
-        .fallback = "displacement",
-        .meaning =
-            "mean displacement of the face; angle between its normal and that of a reference face (bend); mean rotation "
-            "about an axis through the origin (twist); mean increase of the distance from that axis (radial); rotation vector; "
-            "curvature of the best-fit circle; force or moment of the body on its support",
-        .choices = measure_words()};
+    std::vector<std::string> words, meanings;
+    for (const model::MeasureInfo& measure : model::measures) {
+        words.emplace_back(measure.name);
+        meanings.push_back(std::string{measure.name} + ": " + std::string{measure.meaning});
+    }
+    return choice_key("outputs." + output + ".measure", "displacement", std::move(words), core::join(meanings, "; "));
 }
 
 Key output_reference_key(const std::string& output) {
-    return {.path = "outputs." + output + ".reference",
-            .kind = Kind::faces,
-            .meaning = "face from whose normal the bend is measured, usually the fixed one"};
+    return value_key("outputs." + output + ".reference", Kind::faces, {},
+                     "face from whose normal the bend is measured, usually the fixed one");
 }
 
 Key output_along_key(const std::string& output, std::string fallback) {
-    return {
-        .path = "outputs." + output + ".along",
-        .kind = Kind::choice,
-        .fallback = std::move(fallback),
-        .meaning =
-            "direction of a displacement, force or rotation, otherwise the axis; axis is positive when the actuator gets longer",
-        .choices = directions()};
+    return choice_key(
+        "outputs." + output + ".along", std::move(fallback), directions(),
+        "direction of a displacement, force or rotation, otherwise the axis; axis is positive when the actuator gets "
+        "longer");
 }
 
 Key until_key(const std::string& section, const std::string& quantity) {
     const std::string path = section + "." + quantity;
     if (quantity == "pressure")
-        return {.path = path,
-                .kind = Kind::pressure,
-                .meaning = "the path or stage ends at this pressure of the first load"};
+        return value_key(path, Kind::pressure, {}, "the path or stage ends at this pressure of the first load");
     if (quantity == "volume_ratio")
-        return {.path = path,
-                .kind = Kind::ratio,
-                .meaning = "the path or stage ends at this ratio of cavity volume to undeformed volume",
-                .min = 0,
-                .min_open = true};
-    return {.path = path,
-            .kind = Kind::count,
-            .meaning = "the path or stage ends after this many steps",
-            .min = 1,
-            .max = 1e6};
+        return value_key(path, Kind::ratio, above(0),
+                         "the path or stage ends at this ratio of cavity volume to undeformed volume");
+    return value_key(path, Kind::count, {1, 1e6}, "the path or stage ends after this many steps");
 }
 
 std::vector<Key> name_keys(const FamilyKeys& family) {
     std::vector<Key> keys;
     for (const auto& [alias, face] : family.aliases)
-        keys.push_back({.path = "names." + alias,
-                        .kind = Kind::choice,
-                        .fallback = face,
-                        .meaning = "another name of this face",
-                        .choices = {face}});
+        keys.push_back(choice_key("names." + alias, face, {face}, "another name of this face"));
     return keys;
 }
 
 Key cavity_faces_key(const std::string& cavity) {
-    return {.path = "geometry.cavities." + cavity,
-            .kind = Kind::faces,
-            .meaning = "faces that together are the wall of this cavity, for loads.cavities"};
+    return value_key("geometry.cavities." + cavity, Kind::faces, {},
+                     "faces that together are the wall of this cavity, for loads.cavities");
 }
 
 std::vector<Key> face_rule_keys() {
-    const auto point_key = [](const char* path, const char* meaning) {
-        return Key{.path = path, .kind = Kind::length, .meaning = meaning, .max_count = 3};
+    const auto vector_key = [](const char* path, Kind kind, const char* meaning) {
+        Key key = value_key(path, kind, {}, meaning);
+        key.max_count = 3;
+        return key;
     };
     const auto plane = [](const char* path) {
-        return Key{.path = path, .kind = Kind::length, .meaning = "the facets that lie in this plane"};
+        return value_key(path, Kind::length, {}, "the facets that lie in this plane");
     };
-    return {
-        plane("plane.x"),
-        plane("plane.y"),
-        plane("plane.z"),
-        point_key("box.from", "the facets within this box, x, y, z of its lowest corner"),
-        point_key("box.to", "x, y, z of the box's highest corner"),
-        {.path = "normal",
-         .kind = Kind::ratio,
-         .meaning = "the facets whose outward normal has this direction x, y, z",
-         .max_count = 3},
-        {.path = "within",
-         .kind = Kind::angle,
-         .meaning = "largest angle between these normals and that direction (default 10 deg)",
-         .min = 0,
-         .max = 3.1415926535897932},
-        point_key("point", "the facets connected to the surface point nearest to x, y, z, up to sharp edges (40 deg)"),
-        {.path = "up_to",
-         .kind = Kind::faces,
-         .meaning = "with point: continue across sharp edges, up to these faces"}};
+    return {plane("plane.x"),
+            plane("plane.y"),
+            plane("plane.z"),
+            vector_key("box.from", Kind::length, "the facets within this box, x, y, z of its lowest corner"),
+            vector_key("box.to", Kind::length, "x, y, z of the box's highest corner"),
+            vector_key("normal", Kind::ratio, "the facets whose outward normal has this direction x, y, z"),
+            value_key("within", Kind::angle, {0, std::numbers::pi},
+                      "largest angle between these normals and that direction (default 10 deg)"),
+            vector_key("point", Kind::length,
+                       "the facets connected to the surface point nearest to x, y, z, up to sharp edges (40 deg)"),
+            value_key("up_to", Kind::faces, {}, "with point: continue across sharp edges, up to these faces")};
 }
 
 bool is_valid_name(std::string_view text) {

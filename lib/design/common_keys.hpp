@@ -12,9 +12,6 @@ namespace soft::design {
 [[nodiscard]] std::vector<Key> head_keys(const FamilyKeys& family);   ///< family, name
 [[nodiscard]] std::vector<Key> model_keys(const FamilyKeys& family);  ///< model, mesh.* with the defaults of the family
 
-[[nodiscard]] Key law_key();
-[[nodiscard]] Key kappa_key();
-[[nodiscard]] Key volumetric_key();
 [[nodiscard]] Key support_key(const std::string& component);
 [[nodiscard]] Key output_point_key(const std::string& output);
 [[nodiscard]] Key output_face_key(const std::string& output);

@@ -2,35 +2,46 @@
 
 #include "core/text.hpp"
 #include "design/materials.hpp"
-#include "design/words.hpp"
+#include "design/setting.hpp"
 
 namespace soft::design {
 namespace {
 
-using model::Integrator;
-
-constexpr std::array integrator_words{Word<Integrator>{"generalized-alpha", Integrator::generalized_alpha},
-                                      Word<Integrator>{"hht", Integrator::hht},
-                                      Word<Integrator>{"newmark", Integrator::newmark},
-                                      Word<Integrator>{"implicit-euler", Integrator::implicit_euler},
-                                      Word<Integrator>{"ark4", Integrator::ark4},
-                                      Word<Integrator>{"rosenbrock", Integrator::rosenbrock},
-                                      Word<Integrator>{"heun", Integrator::heun},
-                                      Word<Integrator>{"explicit-euler", Integrator::explicit_euler},
-                                      Word<Integrator>{"central-difference", Integrator::central_difference}};
+using model::Dynamics, model::Integrator;
 
 constexpr const char *duration_path = "dynamics.duration", *integrator_path = "dynamics.integrator",
                      *radius_path = "dynamics.spectral_radius";
 constexpr double min_hht_radius = 0.5;  // alpha = (1 - rho) / (1 + rho) <= 1/3
 
-Key time_key(std::string path, std::string word, std::string meaning) {
-    return {.path = std::move(path),
-            .kind = Kind::time,
-            .fallback = word,
-            .meaning = std::move(meaning),
-            .min = 0,
-            .min_open = true,
-            .choices = {word}};
+const Settings<Dynamics>& dynamics_settings() {
+    static const Settings<Dynamics> settings{
+        or_word("none", quantity("duration", &Dynamics::duration_s, Kind::time, above(0),
+                                 "simulated time, starting from rest; none: a static path")),
+        choice("integrator", &Dynamics::integrator,
+               {{"generalized-alpha", Integrator::generalized_alpha},
+                {"hht", Integrator::hht},
+                {"newmark", Integrator::newmark},
+                {"implicit-euler", Integrator::implicit_euler},
+                {"ark4", Integrator::ark4},
+                {"rosenbrock", Integrator::rosenbrock},
+                {"heun", Integrator::heun},
+                {"explicit-euler", Integrator::explicit_euler},
+                {"central-difference", Integrator::central_difference}},
+               "time integration scheme; heun, explicit-euler and central-difference are explicit"),
+        or_word("auto", quantity("step", &Dynamics::step_s, Kind::time, above(0),
+                                 "time step; auto: from accuracy, or the stable step of an explicit integrator")),
+        number("accuracy", &Dynamics::accuracy, share,
+               "target error of a step relative to the size of the motion, where step is auto"),
+        number("spectral_radius", &Dynamics::spectral_radius, {0, 1},
+               "spectral radius of generalized-alpha and hht at infinite frequency; 1: no numerical damping"),
+        quantity("mass_damping", &Dynamics::mass_damping_1_s, Kind::rate, at_least(0),
+                 "Rayleigh damping: coefficient of the mass matrix"),
+        quantity(
+            "stiffness_damping", &Dynamics::stiffness_damping_s, Kind::time, at_least(0),
+            "Rayleigh damping: coefficient of the undeformed stiffness matrix; mixed cells: of the stiffness against "
+            "changes of shape only"),
+        count("rows", &Dynamics::rows, {1, 1e6}, "maximum number of stored steps")};
+    return settings;
 }
 
 void check_unused(const Values& values) {
@@ -73,7 +84,7 @@ void check_loads(const DynamicParts& parts, const Values& values) {
     }
 }
 
-void check_integrator(const model::Dynamics& dynamics, std::string_view formulation, const Values& values) {
+void check_integrator(const Dynamics& dynamics, std::string_view formulation, const Values& values) {
     if (is_explicit(dynamics.integrator) && formulation == "mixed")
         throw values.refuse(
             integrator_path, "an explicit integrator has no equation for the pressure unknowns of mixed cells",
@@ -85,49 +96,7 @@ void check_integrator(const model::Dynamics& dynamics, std::string_view formulat
 
 }  // namespace
 
-std::vector<Key> dynamics_keys() {
-    const model::Dynamics defaults;
-    std::vector<Key> keys = {
-        time_key(duration_path, "none", "simulated time, starting from rest; none: a static path"),
-        {.path = integrator_path,
-         .kind = Kind::choice,
-         .fallback = word_for(integrator_words, defaults.integrator),
-         .meaning = "time integration scheme; heun, explicit-euler and central-difference are explicit",
-         .choices = words_of(integrator_words)},
-        time_key("dynamics.step", "auto",
-                 "time step; auto: from accuracy, or the stable step of an explicit integrator")};
-    const auto ratio = [&](const char* path, double fallback, const char* meaning) {
-        keys.push_back({.path = path,
-                        .kind = Kind::ratio,
-                        .fallback = core::number_text(fallback),
-                        .meaning = meaning,
-                        .min = 0,
-                        .max = 1});
-    };
-    ratio("dynamics.accuracy", defaults.accuracy,
-          "target error of a step relative to the size of the motion, where step is auto");
-    keys.back().min_open = true;
-    ratio(radius_path, defaults.spectral_radius,
-          "spectral radius of generalized-alpha and hht at infinite frequency; 1: no numerical damping");
-    keys.push_back({.path = "dynamics.mass_damping",
-                    .kind = Kind::rate,
-                    .fallback = core::number_text(defaults.mass_damping_1_s) + " 1/s",
-                    .meaning = "Rayleigh damping: coefficient of the mass matrix",
-                    .min = 0});
-    keys.push_back({.path = "dynamics.stiffness_damping",
-                    .kind = Kind::time,
-                    .fallback = core::number_text(defaults.stiffness_damping_s) + " s",
-                    .meaning = "Rayleigh damping: coefficient of the undeformed stiffness matrix; mixed cells: of the "
-                               "stiffness against changes of shape only",
-                    .min = 0});
-    keys.push_back({.path = "dynamics.rows",
-                    .kind = Kind::count,
-                    .fallback = std::to_string(defaults.rows),
-                    .meaning = "maximum number of stored steps",
-                    .min = 1,
-                    .max = 1e6});
-    return keys;
-}
+std::vector<Key> dynamics_keys() { return keys_of(dynamics_settings(), "dynamics"); }
 
 bool is_dynamic(const Node& root) {
     const Node* duration = find_path(root, duration_path);
@@ -139,15 +108,7 @@ std::optional<model::Dynamics> dynamics_of(const DynamicParts& parts, const Valu
         check_unused(values);
         return std::nullopt;
     }
-    model::Dynamics dynamics;
-    dynamics.integrator = value_of_word(integrator_words, values.text(integrator_path));
-    dynamics.duration_s = values.number(duration_path);
-    dynamics.step_s = values.number("dynamics.step");  // "auto" is 0
-    dynamics.accuracy = values.number("dynamics.accuracy");
-    dynamics.spectral_radius = values.number(radius_path);
-    dynamics.mass_damping_1_s = values.number("dynamics.mass_damping");
-    dynamics.stiffness_damping_s = values.number("dynamics.stiffness_damping");
-    dynamics.rows = values.count("dynamics.rows");
+    const Dynamics dynamics = read_settings(dynamics_settings(), values, "dynamics");
     require_density(values, duration_path);
     if (dynamics.step_s > dynamics.duration_s)
         throw values.refuse("dynamics.step", "a step longer than the duration", "use a shorter step, or auto");

@@ -53,7 +53,8 @@ std::string example_design(const FamilyKeys& family) {
             if (const Node* usual = find(defaults, section)) put(root, section, *usual);
     put(root, "material.law", scalar_node(std::string{law.name}, default_location));
     for (const material::Parameter& parameter : law.parameters)
-        put(root, parameter_key(parameter).path, scalar_node(std::string{parameter.example}, default_location));
+        put(root, "material." + parameter_key(parameter).path,
+            scalar_node(std::string{parameter.example}, default_location));
     if (const Node* loads = find(defaults, "loads"); loads != nullptr && !loads->members.empty()) {
         put(root, "loads", *loads);
         return write_yaml(root);

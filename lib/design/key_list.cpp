@@ -80,12 +80,10 @@ Keys keys_of_material(const Node& material) {
 
 /// The keys of `material` except the parameters of the laws. A variant that only a few laws have names them.
 Keys material_section_keys() {
-    Keys keys = {{.path = "material.name",
-                  .kind = Kind::text,
-                  .meaning = "silicone of the material library, in place of a law and its parameters"},
-                 {.path = "material.range",
-                  .kind = Kind::ratio,
-                  .meaning = "with name: selects the narrowest set of constants that covers this engineering strain"}};
+    Keys keys = {value_key("material.name", Kind::text, {},
+                           "silicone of the material library, in place of a law and its parameters"),
+                 value_key("material.range", Kind::ratio, {},
+                           "with name: selects the narrowest set of constants that covers this engineering strain")};
     std::vector<std::pair<Key, std::vector<std::string>>> variants;
     const auto add = [&](const Key& key, const material::LawInfo& law) {
         const auto found = std::ranges::find_if(
@@ -98,7 +96,7 @@ Keys material_section_keys() {
         const std::string name{law.name};
         const auto is_parameter = [&](const Key& key) {
             return std::ranges::any_of(law.parameters, [&](const material::Parameter& parameter) {
-                return parameter_key(parameter).path == key.path;
+                return "material." + parameter_key(parameter).path == key.path;
             });
         };
         for (const Key& key : keys_of_material(parse_fragment("{law: " + name + "}", default_location)))
@@ -124,30 +122,36 @@ Keys support_section_keys() {
     return keys;
 }
 
+/// Path of a load in the tables.
+std::string load_path(const std::string& section, LoadTarget target) {
+    return section + (target == LoadTarget::cavity ? ".CAVITY" : target == LoadTarget::face ? ".FACE" : ".gravity");
+}
+
 /// The keys with the magnitude of the loads below `section`.
 Keys magnitude_keys(const std::string& section, When when) {
     Keys keys;
-    for (const SupplyWord& word : supply_words()) keys.push_back(supply_key(section + ".CAVITY", word, when));
-    const std::string face = section + ".FACE";
-    append_keys(keys, {supply_key(face, supply_words().front(), when), traction_key(face, when), force_key(face, when),
-                       displacement_key(face, when), acceleration_key(section + ".gravity", when)});
+    for (const LoadForm& form : load_forms()) {
+        if (form.kind == LoadKind::shared_gas && when == When::stage_end) continue;
+        keys.push_back(magnitude_key(load_path(section, form.target), form, when));
+        if (form.kind == LoadKind::shared_gas) keys.back().choices = {"CAVITY"};
+    }
     return keys;
 }
 
 Keys load_section_keys() {
-    const std::string cavity = "loads.CAVITY", face = "loads.FACE";
     Keys keys = magnitude_keys("loads", When::full_load);
-    append_keys(keys, {shares_key(cavity, {"CAVITY"}), sealed_key(cavity, "true"), plug_thrust_key(cavity)});
-    append_keys(keys, gas_keys(cavity));
-    append_keys(keys, {shape_key("loads.LOAD"), traction_along_key(face), motion_along_key(face),
-                       gravity_along_key("loads.gravity", "")});
+    for (const LoadForm& form : load_forms())
+        if (!form.along.path.empty()) keys.push_back(along_key(load_path("loads", form.target), form));
+    for (Key& key : pressure_keys("loads.CAVITY", LoadTarget::cavity, true)) {
+        if (key.path.ends_with(".acts_on")) key.path = "loads.LOAD.acts_on";  // of a face, too
+        keys.push_back(std::move(key));
+    }
     Schema schema;
     Examples examples;
     // An unknown kind of time function has the keys of all kinds.
     add_time_function_keys(schema, "loads.LOAD", parse_fragment("{time_function: {kind: any}}", default_location),
                            examples);
     append_keys(keys, schema.keys);
-    keys.push_back(line_key(cavity));
     return keys;
 }
 

@@ -1,177 +1,195 @@
 #include "design/load_keys.hpp"
 
-#include <array>
-
-#include "core/units.hpp"
 #include "design/common_keys.hpp"
 
 namespace soft::design {
 namespace {
 
-using model::Prescription;
+using model::Gas, model::PressureLoad, model::Prescription;
 
-constexpr std::array<SupplyWord, 5> words{{{"pressure", Prescription::pressure},
-                                           {"volume", Prescription::volume},
-                                           {"volume_ratio", Prescription::volume_ratio},
-                                           {"mass", Prescription::mass},
-                                           {"valve", Prescription::closed}}};
+constexpr double adiabatic_exponent = 1.4;  // ratio of the specific heats of air
+constexpr const char *acts_on = "acts_on", *line_resistance = "line.resistance";
 
-std::string at(When when) { return when == When::full_load ? " at full load" : " at the stage's end"; }
+Key direction_key(std::string meaning) { return choice_key("along", "", directions(), std::move(meaning)); }
 
-std::string si_text(double value, core::Dimension dimension) { return core::quantity_text(value, dimension); }
+std::vector<LoadForm> cavity_forms() {
+    using enum LoadKind;
+    constexpr LoadTarget cavity = LoadTarget::cavity;
+    return {
+        {.target = cavity,
+         .kind = gas,
+         .magnitude = value_key("pressure", Kind::pressure, {},
+                                "gauge pressure @; positive acts against the surface and inflates a cavity; a cavity "
+                                "may have volume, volume_ratio, mass or valve instead"),
+         .example = "30 kPa"},
+        {.target = cavity,
+         .kind = gas,
+         .magnitude =
+             value_key("volume", Kind::volume, above(0), "enclosed volume @, of all cavities that share the gas"),
+         .example = "100 mL",
+         .what = Prescription::volume},
+        {.target = cavity,
+         .kind = gas,
+         .magnitude = value_key("volume_ratio", Kind::ratio, above(0),
+                                "enclosed volume over its undeformed value @, of all cavities that share the gas"),
+         .example = "3",
+         .what = Prescription::volume_ratio},
+        {.target = cavity,
+         .kind = gas,
+         .magnitude = value_key("mass", Kind::mass, {},
+                                "mass of gas injected @ since the start of the path, in addition to the gas that "
+                                "fills the undeformed cavity"),
+         .example = "50 mg",
+         .what = Prescription::mass},
+        {.target = cavity,
+         .kind = gas,
+         .magnitude = choice_key("valve", "", {"closed"}, "closed: the mass of gas in the cavity stays constant"),
+         .example = "closed",
+         .what = Prescription::closed},
+        {.target = cavity,
+         .kind = shared_gas,
+         .magnitude =
+             choice_key("shares", "", {}, "cavity whose gas this one shares: one pressure, and the volumes add up"),
+         .example = "",
+         .takes_time_function = false}};
+}
+
+std::vector<LoadForm> other_forms() {
+    using enum LoadKind;
+    const Key traction_along = direction_key(
+        "direction of a positive traction or force; normal points out of the undeformed face, axis is the direction in "
+        "which the actuator gets longer");
+    return {{.target = LoadTarget::face,
+             .kind = face_pressure,
+             .magnitude = cavity_forms().front().magnitude,
+             .example = "30 kPa"},
+            {.target = LoadTarget::face,
+             .kind = traction,
+             .magnitude = value_key("traction", Kind::pressure, {},
+                                    "force per undeformed area @; its direction stays fixed in space"),
+             .example = "30 kPa",
+             .along = traction_along,
+             .levels = &model::Stage::tractions},
+            {.target = LoadTarget::face,
+             .kind = traction,
+             .magnitude = value_key("force", Kind::force, {},
+                                    "dead force on the whole face of the whole actuator @, spread evenly over the "
+                                    "undeformed face; its direction stays fixed in space"),
+             .example = "2 N",
+             .along = traction_along,
+             .levels = &model::Stage::tractions},
+            {.target = LoadTarget::face,
+             .kind = motion,
+             .magnitude = value_key("displacement", Kind::length, {},
+                                    "prescribed motion of the whole face @; its other components stay free"),
+             .example = "10 mm",
+             .along = direction_key("prescribed displacement component; normal or axis only where parallel to a "
+                                    "coordinate direction"),
+             .levels = &model::Stage::motions,
+             .takes_time_function = false},
+            {.target = LoadTarget::gravity,
+             .kind = gravity,
+             .magnitude = value_key("acceleration", Kind::acceleration, {},
+                                    "force per mass of the rubber @; needs material.density"),
+             .example = "9.81 m/s^2",
+             .along = choice_key("along", "", {"x", "y", "z", "axis", "-x", "-y", "-z", "-axis"},
+                                 "direction of gravity; axis is the direction in which the actuator gets longer"),
+             .levels = &model::Stage::body_forces}};
+}
+
+Settings<Gas> gas_settings() {
+    return {
+        quantity("gas.ambient", &Gas::ambient_Pa, Kind::pressure, above(0),
+                 "absolute ambient pressure; mass, valve and line alone use the gas properties"),
+        quantity("gas.density", &Gas::ambient_density_kg_m3, Kind::density, above(0),
+                 "density of the gas at ambient pressure; default: air at 20 degrees Celsius"),
+        in_unit("mL", quantity("gas.dead_volume", &Gas::dead_volume_m3, Kind::volume, at_least(0),
+                               "volume of the tubing, filled with the same gas")),
+        choice("gas.process", &Gas::exponent, {{"isothermal", 1.0}, {"adiabatic", adiabatic_exponent}},
+               "relation of absolute pressure and density: isothermal, proportional (the gas keeps the temperature "
+               "of its surroundings: slow filling, also from a supply at that temperature), or adiabatic, to the "
+               "power 1.4 (the gas in the cavity and the injected gas are compressed from the ambient state without "
+               "heat exchange: a closed valve in a rapid motion)")};
+}
+
+const Settings<PressureLoad>& pressure_settings() {
+    static const Settings<PressureLoad> settings = [] {
+        Settings<PressureLoad> all{
+            flag("sealed", &PressureLoad::sealed,
+                 "the pressure also pushes on the plugs of the openings and on every closed inner face"),
+            flag(
+                "plug_thrust", &PressureLoad::plug_thrust,
+                "the plugs of a sealed cavity transmit their force to the actuator; false: a fixture or the supply line "
+                "carries it"),
+            choice(acts_on, &PressureLoad::shape,
+                   {{"deformed", model::LoadShape::deformed}, {"undeformed", model::LoadShape::undeformed}},
+                   "configuration on which the pressure acts; undeformed makes it a dead load")};
+        for (Setting<Gas>& setting : gas_settings()) all.push_back(inside(&PressureLoad::gas, std::move(setting)));
+        all.push_back(or_word(
+            "none",
+            Setting<PressureLoad>{
+                value_key(
+                    line_resistance, Kind::flow_resistance, above(0),
+                    "flow resistance of the tube between the source, whose pressure is the time function, and the "
+                    "cavity: pressure drop per volume flow at ambient pressure; none: the time function is the "
+                    "pressure in the cavity"),
+                [](const Values& values, const std::string& path, PressureLoad& load) {
+                    if (values.number(path) > 0) load.line = model::SupplyLine{values.number(path)};
+                }}));
+        return all;
+    }();
+    return settings;
+}
 
 }  // namespace
 
-std::span<const SupplyWord> supply_words() { return words; }
+std::span<const LoadForm> load_forms() {
+    static const std::vector<LoadForm> forms = [] {
+        std::vector<LoadForm> all = cavity_forms();
+        for (LoadForm& form : other_forms()) all.push_back(std::move(form));
+        return all;
+    }();
+    return forms;
+}
 
-Key supply_key(const std::string& load, const SupplyWord& word, When when) {
-    Key key{.path = load + "." + std::string{word.name}};
-    switch (word.what) {
-        case Prescription::pressure:
-            key.kind = Kind::pressure;
-            key.meaning = "gauge pressure" + at(when) +
-                          "; positive acts against the surface and inflates a cavity; a cavity may "
-                          "have volume, volume_ratio, mass or valve instead";
-            break;
-        case Prescription::volume:
-            key.kind = Kind::volume;
-            key.meaning = "enclosed volume" + at(when) + ", of all cavities that share the gas";
-            key.min = 0;
-            key.min_open = true;
-            break;
-        case Prescription::volume_ratio:
-            key.kind = Kind::ratio;
-            key.meaning =
-                "enclosed volume over its undeformed value" + at(when) + ", of all cavities that share the gas";
-            key.min = 0;
-            key.min_open = true;
-            break;
-        case Prescription::mass:
-            key.kind = Kind::mass;
-            key.meaning = "mass of gas injected" + at(when) +
-                          " since the start of the path, in addition to the gas that fills the undeformed cavity";
-            break;
-        case Prescription::closed:
-            key.kind = Kind::choice;
-            key.meaning = "closed: the mass of gas in the cavity stays constant";
-            key.choices = {"closed"};
-            break;
-    }
+std::vector<std::string> words_of(LoadTarget target) {
+    std::vector<std::string> words;
+    for (const LoadForm& form : load_forms())
+        if (form.target == target) words.push_back(form.word());
+    return words;
+}
+
+const LoadForm& form_of(LoadTarget target, std::string_view word) {
+    return *std::ranges::find_if(load_forms(), [&](const LoadForm& form) {
+        return form.target == target && (word.empty() || form.word() == word);
+    });
+}
+
+Key magnitude_key(const std::string& load, const LoadForm& form, When when) {
+    Key key = form.magnitude;
+    key.path.insert(0, load + ".");
+    if (const std::size_t at = key.meaning.find('@'); at != std::string::npos)
+        key.meaning.replace(at, 1, when == When::full_load ? "at full load" : "at the stage's end");
     return key;
 }
 
-Key shares_key(const std::string& load, std::vector<std::string> cavities) {
-    return {.path = load + ".shares",
-            .kind = Kind::choice,
-            .meaning = "cavity whose gas this one shares: one pressure, and the volumes add up",
-            .choices = std::move(cavities)};
+Key along_key(const std::string& load, const LoadForm& form) {
+    Key key = form.along;
+    key.path.insert(0, load + ".");
+    return key;
 }
 
-Key sealed_key(const std::string& load, std::string fallback) {
-    return {.path = load + ".sealed",
-            .kind = Kind::flag,
-            .fallback = std::move(fallback),
-            .meaning = "the pressure also pushes on the plugs of the openings and on every closed inner face"};
+std::vector<Key> pressure_keys(const std::string& load, LoadTarget target, bool dynamic) {
+    Settings<PressureLoad> settings = pressure_settings();
+    std::erase_if(settings, [&](const Setting<PressureLoad>& setting) {
+        const std::string& name = setting.key.path;
+        return (target == LoadTarget::face && name != acts_on) || (!dynamic && name == line_resistance);
+    });
+    return keys_of(settings, load);
 }
 
-Key plug_thrust_key(const std::string& load) {
-    return {
-        .path = load + ".plug_thrust",
-        .kind = Kind::flag,
-        .fallback = "true",
-        .meaning =
-            "the plugs of a sealed cavity transmit their force to the actuator; false: a fixture or the supply line carries it"};
-}
-
-Key shape_key(const std::string& load) {
-    return {.path = load + ".acts_on",
-            .kind = Kind::choice,
-            .fallback = "deformed",
-            .meaning = "configuration on which the pressure acts; undeformed makes it a dead load",
-            .choices = {"deformed", "undeformed"}};
-}
-
-std::vector<Key> gas_keys(const std::string& load) {
-    const model::Gas gas;
-    const std::string path = load + ".gas.";
-    return {
-        {.path = path + "ambient",
-         .kind = Kind::pressure,
-         .fallback = si_text(gas.ambient_Pa, core::Dimension::pressure),
-         .meaning = "absolute ambient pressure; mass, valve and line alone use the gas properties",
-         .min = 0,
-         .min_open = true},
-        {.path = path + "density",
-         .kind = Kind::density,
-         .fallback = si_text(gas.ambient_density_kg_m3, core::Dimension::density),
-         .meaning = "density of the gas at ambient pressure; default: air at 20 degrees Celsius",
-         .min = 0,
-         .min_open = true},
-        {.path = path + "dead_volume",
-         .kind = Kind::volume,
-         .fallback = "0 mL",
-         .meaning = "volume of the tubing, filled with the same gas",
-         .min = 0},
-        {.path = path + "process",
-         .kind = Kind::choice,
-         .fallback = "isothermal",
-         .meaning =
-             "relation of absolute pressure and density: isothermal, proportional (the gas keeps the temperature of its surroundings: "
-             "slow filling, also from a supply at that temperature), or adiabatic, to the power 1.4 (the gas in the cavity "
-             "and the injected gas are compressed from the ambient state without heat exchange: a closed "
-             "valve in a rapid motion)",
-         .choices = {"isothermal", "adiabatic"}}};
-}
-
-Key traction_key(const std::string& load, When when) {
-    return {.path = load + ".traction",
-            .kind = Kind::pressure,
-            .meaning = "force per undeformed area" + at(when) + "; its direction stays fixed in space"};
-}
-
-Key force_key(const std::string& load, When when) {
-    return {.path = load + ".force",
-            .kind = Kind::force,
-            .meaning = "dead force on the whole face of the whole actuator" + at(when) +
-                       ", spread evenly over the undeformed face; its direction stays fixed in space"};
-}
-
-Key traction_along_key(const std::string& load) {
-    return {
-        .path = load + ".along",
-        .kind = Kind::choice,
-        .meaning =
-            "direction of a positive traction or force; normal points out of the undeformed face, axis is the direction in which the "
-            "actuator gets longer",
-        .choices = directions()};
-}
-
-Key acceleration_key(const std::string& load, When when) {
-    return {.path = load + ".acceleration",
-            .kind = Kind::acceleration,
-            .meaning = "force per mass of the rubber" + at(when) + "; needs material.density"};
-}
-
-Key gravity_along_key(const std::string& load, std::string fallback) {
-    return {.path = load + ".along",
-            .kind = Kind::choice,
-            .fallback = std::move(fallback),
-            .meaning = "direction of gravity; axis is the direction in which the actuator gets longer",
-            .choices = {"x", "y", "z", "axis", "-x", "-y", "-z", "-axis"}};
-}
-
-Key displacement_key(const std::string& load, When when) {
-    return {.path = load + ".displacement",
-            .kind = Kind::length,
-            .meaning = "prescribed motion of the whole face" + at(when) + "; its other components stay free"};
-}
-
-Key motion_along_key(const std::string& load) {
-    return {
-        .path = load + ".along",
-        .kind = Kind::choice,
-        .meaning = "prescribed displacement component; normal or axis only where parallel to a coordinate direction",
-        .choices = directions()};
+PressureLoad pressure_settings_of(const Values& values, const std::string& load) {
+    return read_settings(pressure_settings(), values, load);
 }
 
 }  // namespace soft::design

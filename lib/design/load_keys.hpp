@@ -1,41 +1,53 @@
 #pragma once
-/// The keys of a load, in `loads` and in a stage. `load` is the path of the load: "loads.cavity" or
-/// "path.stages.vent.loads.cavity". Private to the module.
+/// The kinds of loads, one row each: the key with the magnitude, its value, and the keys beside it. Parsing, stages, errors and the
+/// reference read these rows. `load` is the path of a load: "loads.cavity" or "path.stages.vent.loads.cavity". Private to the module.
+/// Tested by design/load_test.
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "design/schema.hpp"
+#include "design/setting.hpp"
 #include "model/case.hpp"
 
 namespace soft::design {
 
-/// A key that prescribes the gas in a cavity; a cavity load has exactly one of them.
-struct SupplyWord {
-    std::string_view name;  ///< last part of the key: "volume_ratio"
-    model::Prescription what;
+/// What a load acts on.
+enum class LoadTarget { cavity, face, gravity };
+
+/// The list of the case that a load belongs to.
+enum class LoadKind { gas, shared_gas, face_pressure, traction, gravity, motion };
+
+struct LoadForm {
+    LoadTarget target;
+    LoadKind kind;
+    /// Key of the magnitude; its path is the word of the load ("force"), which a load has once. @ in its meaning is the time at which
+    /// the value is reached.
+    Key magnitude;
+    std::string example;                                       ///< a magnitude: "2 N"
+    Key along = {};                                            ///< key of the direction, where the load has one
+    model::Prescription what = model::Prescription::pressure;  ///< of a gas
+    std::vector<double> model::Stage::*levels =
+        nullptr;                      ///< its level in a stage; nullptr for a pressure, volume or mass
+    bool takes_time_function = true;  ///< in a dynamic design
+    [[nodiscard]] const std::string& word() const { return magnitude.path; }
 };
-[[nodiscard]] std::span<const SupplyWord> supply_words();
+/// All forms; the first one of a target is the usual one.
+[[nodiscard]] std::span<const LoadForm> load_forms();
+/// The words of a target: "pressure", "traction", ...
+[[nodiscard]] std::vector<std::string> words_of(LoadTarget target);
+/// The form with this word; the usual one for an empty word.
+[[nodiscard]] const LoadForm& form_of(LoadTarget target, std::string_view word);
 
 /// When the value is reached: at the full load, or at the end of a stage.
 enum class When { full_load, stage_end };
+[[nodiscard]] Key magnitude_key(const std::string& load, const LoadForm& form, When when);
+[[nodiscard]] Key along_key(const std::string& load, const LoadForm& form);
 
-[[nodiscard]] Key supply_key(const std::string& load, const SupplyWord& word, When when);
-[[nodiscard]] Key shares_key(const std::string& load, std::vector<std::string> cavities);
-[[nodiscard]] Key sealed_key(const std::string& load, std::string fallback);
-[[nodiscard]] Key plug_thrust_key(const std::string& load);
-[[nodiscard]] Key shape_key(const std::string& load);
-[[nodiscard]] std::vector<Key> gas_keys(const std::string& load);  ///< the defaults are those of model::Gas
-
-[[nodiscard]] Key traction_key(const std::string& load, When when);
-[[nodiscard]] Key force_key(const std::string& load, When when);
-[[nodiscard]] Key traction_along_key(const std::string& load);
-[[nodiscard]] Key acceleration_key(const std::string& load, When when);
-[[nodiscard]] Key gravity_along_key(const std::string& load, std::string fallback);
-[[nodiscard]] Key displacement_key(const std::string& load, When when);
-[[nodiscard]] Key motion_along_key(const std::string& load);
-
-inline constexpr double adiabatic_exponent = 1.4;  ///< ratio of the specific heats of air
+/// Keys of a pressure beside its magnitude: acts_on; of a cavity also sealed, plug_thrust, gas.* and, in a dynamic design, `line`.
+[[nodiscard]] std::vector<Key> pressure_keys(const std::string& load, LoadTarget target, bool dynamic);
+/// The pressure load with the values of those keys.
+[[nodiscard]] model::PressureLoad pressure_settings_of(const Values& values, const std::string& load);
 
 }  // namespace soft::design

@@ -7,14 +7,13 @@
 
 #include "design/collect.hpp"
 #include "design/design.hpp"
+#include "design/load_keys.hpp"
 
 namespace soft::design {
 
 inline constexpr std::string_view cavity_name = "cavity";  ///< short form for a family with a single cavity
 inline constexpr std::string_view cavities_group = "cavities";
 inline constexpr std::string_view gravity_name = "gravity";
-
-enum class LoadTarget { cavity, face, gravity };
 
 struct NamedLoad {
     std::string path;  ///< "loads.cavities.left"

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/text.hpp"
-#include "design/load_keys.hpp"
 #include "design/load_names.hpp"
 #include "design/materials.hpp"
 #include "design/time_function_keys.hpp"
@@ -35,8 +34,8 @@ void take_examples(const std::vector<Member>& members, const std::string& path, 
     }
 }
 
-/// The single key among `words` that determines the kind of load; a second one is rejected.
-std::string_view only_one_of(const NamedLoad& load, std::span<const std::string> words) {
+/// The single word of the load; a second one is rejected.
+std::string_view only_word(const NamedLoad& load, std::span<const std::string> words) {
     std::string_view found;
     for (const Member& member : load.member->value.members) {
         if (std::ranges::find(words, member.key) == words.end()) continue;
@@ -49,139 +48,72 @@ std::string_view only_one_of(const NamedLoad& load, std::span<const std::string>
     return found;
 }
 
-void refuse_keys(const NamedLoad& load, std::span<const std::string> words, std::string_view problem,
-                 std::string_view remedy) {
+/// Keys that a load cannot have.
+struct ForeignKeys {
+    std::initializer_list<std::string_view> keys;
+    std::string_view problem, remedy;
+};
+
+void refuse_keys(const NamedLoad& load, const ForeignKeys& foreign) {
     for (const Member& member : load.member->value.members)
-        if (std::ranges::find(words, member.key) != words.end())
-            refuse(member.location, load.path + "." + member.key, problem, remedy);
+        if (std::ranges::find(foreign.keys, member.key) != foreign.keys.end())
+            refuse(member.location, load.path + "." + member.key, foreign.problem, foreign.remedy);
 }
 
-std::vector<std::string> supply_names() {
-    std::vector<std::string> names;
-    for (const SupplyWord& word : supply_words()) names.emplace_back(word.name);
-    return names;
-}
-
-const SupplyWord& supply_word(std::string_view name) {
-    const auto words = supply_words();
-    return *std::ranges::find(words, name.empty() ? "pressure" : name, &SupplyWord::name);
-}
-
-LoadEntry entry_of(const NamedLoad& load, LoadKind kind, std::string_view value) {
-    return {load.path, load.member->location,  load.name,
-            kind,      Prescription::pressure, load.path + "." + std::string{value}};
-}
-
-LoadEntry add_cavity(Schema& schema, const NamedLoad& load, const Node& defaults) {
-    refuse_keys(load, std::vector<std::string>{"traction", "force", "displacement"}, "a cavity is loaded by a pressure",
-                "write pressure");
-    refuse_keys(load, std::vector<std::string>{"along"}, "a pressure acts along the normal of the deformed face",
-                "leave it out");
-    std::vector<std::string> words = supply_names();
-    words.emplace_back("shares");
-    const std::string_view value = only_one_of(load, words);
-    schema.names[load.path] = words;
-    if (value == "shares") {
-        std::vector<std::string> own = {"sealed", "plug_thrust", "gas", "acts_on", "time_function", "line"};
-        refuse_keys(load, own, "a cavity that shares its gas has no supply of its own", "leave it out");
-        schema.keys.push_back(shares_key(load.path, schema.faces.cavities));
-        return entry_of(load, LoadKind::shared_gas, value);
+void refuse_foreign_keys(const NamedLoad& load, const LoadForm& form) {
+    constexpr std::string_view normal = "a pressure acts along the normal of the deformed face";
+    if (load.target == LoadTarget::cavity) {
+        refuse_keys(load,
+                    {{"traction", "force", "displacement"}, "a cavity is loaded by a pressure", "write pressure"});
+        refuse_keys(load, {{"along"}, normal, "leave it out"});
     }
-    const SupplyWord& word = supply_word(value);
-    schema.keys.push_back(supply_key(load.path, word, When::full_load));
-    const Node* sealed = find_path(defaults, load.path + ".sealed");
-    schema.keys.push_back(sealed_key(load.path, sealed == nullptr ? "true" : sealed->text));
-    schema.keys.push_back(plug_thrust_key(load.path));
-    schema.keys.push_back(shape_key(load.path));
-    for (Key& key : gas_keys(load.path)) schema.keys.push_back(std::move(key));
-    if (schema.dynamic) schema.keys.push_back(line_key(load.path));
-    LoadEntry entry = entry_of(load, LoadKind::gas, word.name);
-    entry.what = word.what;
-    return entry;
+    if (form.kind == LoadKind::shared_gas)
+        refuse_keys(load, {{"sealed", "plug_thrust", "gas", "acts_on", "time_function", "line"},
+                           "a cavity that shares its gas has no supply of its own",
+                           "leave it out"});
+    if (load.target == LoadTarget::face) {
+        refuse_keys(load, {{"volume", "volume_ratio", "mass", "valve", "shares", "gas", "line"},
+                           "a face encloses no gas",
+                           "write pressure; only a cavity takes this"});
+        refuse_keys(load, {{"sealed", "plug_thrust"}, "a face has no openings to seal", "leave it out"});
+    }
+    if (form.kind == LoadKind::face_pressure)
+        refuse_keys(load, {{"along"}, normal, "leave it out, or write traction in place of pressure"});
 }
 
-LoadEntry add_gravity(Schema& schema, const NamedLoad& load) {
-    schema.keys.push_back(acceleration_key(load.path, When::full_load));
-    schema.keys.push_back(gravity_along_key(load.path, ""));
-    return entry_of(load, LoadKind::gravity, "acceleration");
-}
-
-/// Whether a traction load is given as the total force on the face.
-bool is_force(const LoadEntry& load) { return load.value.ends_with(".force"); }
-
-/// Adds a pressure, a traction, a force or a prescribed displacement. Each kind has its own keys; keys of other kinds are rejected.
-LoadEntry add_face(Schema& schema, const NamedLoad& load) {
-    refuse_keys(load, std::vector<std::string>{"volume", "volume_ratio", "mass", "valve", "shares", "gas", "line"},
-                "a face encloses no gas", "write pressure; only a cavity takes this");
-    refuse_keys(load, std::vector<std::string>{"sealed", "plug_thrust"}, "a face has no openings to seal",
-                "leave it out");
-    const std::vector<std::string> words = {"pressure", "traction", "force", "displacement"};
-    const std::string_view value = only_one_of(load, words);
-    schema.names[load.path] = words;
-    if (value == "traction" || value == "force") {
-        schema.keys.push_back(value == "force" ? force_key(load.path, When::full_load)
-                                               : traction_key(load.path, When::full_load));
-        schema.keys.push_back(traction_along_key(load.path));
-        return entry_of(load, LoadKind::traction, value);
-    }
-    if (value == "displacement") {
-        schema.keys.push_back(displacement_key(load.path, When::full_load));
-        schema.keys.push_back(motion_along_key(load.path));
-        return entry_of(load, LoadKind::motion, value);
-    }
-    refuse_keys(load, std::vector<std::string>{"along"}, "a pressure acts along the normal of the deformed face",
-                "leave it out, or write traction in place of pressure");
-    schema.keys.push_back(supply_key(load.path, supply_words().front(), When::full_load));
-    schema.keys.push_back(shape_key(load.path));
-    return entry_of(load, LoadKind::face_pressure, "pressure");
-}
-
-Key stage_key(const LoadEntry& load, const std::string& path, const SupplyWord& word) {
-    switch (load.kind) {
-        case LoadKind::gas:
-        case LoadKind::shared_gas:
-        case LoadKind::face_pressure: return supply_key(path, word, When::stage_end);
-        case LoadKind::traction:
-            return is_force(load) ? force_key(path, When::stage_end) : traction_key(path, When::stage_end);
-        case LoadKind::gravity: return acceleration_key(path, When::stage_end);
-        case LoadKind::motion: return displacement_key(path, When::stage_end);
-    }
-    return {};
+/// Adds the keys of a load; keys of other kinds are rejected.
+LoadEntry add_load_keys_of(Schema& schema, const NamedLoad& load, const Node& defaults) {
+    const std::vector<std::string> words = words_of(load.target);
+    const LoadForm& form = form_of(load.target, only_word(load, words));
+    refuse_foreign_keys(load, form);
+    if (load.target != LoadTarget::gravity) schema.names[load.path] = words;
+    schema.keys.push_back(magnitude_key(load.path, form, When::full_load));
+    if (form.kind == LoadKind::shared_gas) schema.keys.back().choices = schema.faces.cavities;
+    if (!form.along.path.empty()) schema.keys.push_back(along_key(load.path, form));
+    if (form.kind == LoadKind::gas || form.kind == LoadKind::face_pressure)
+        for (Key& key : pressure_keys(load.path, load.target, schema.dynamic)) {
+            const Node* usual = key.path.ends_with(".sealed") ? find_path(defaults, key.path) : nullptr;
+            if (usual != nullptr) key.fallback = usual->text;
+            schema.keys.push_back(std::move(key));
+        }
+    return {load.path, load.member->location, load.name, form.kind, form.what, load.path + "." + form.word(), &form};
 }
 
 void refuse_zero(const LoadEntry& entry, double value, const Values& values) {
     const bool ratio = entry.what == Prescription::volume_ratio, closed = entry.what == Prescription::closed;
     if (closed || value != (ratio ? 1.0 : 0.0)) return;
-    const std::string what = entry.value.substr(entry.value.rfind('.') + 1);
     throw values.refuse(entry.value, ratio ? "1 is where the path starts" : "a load of 0 gives no path",
-                        "write the " + what + " at full load, for example " +
-                            (ratio                              ? "3"
-                             : entry.what == Prescription::mass ? "50 mg"
-                             : entry.kind == LoadKind::gravity  ? "9.81 m/s^2"
-                             : entry.kind == LoadKind::motion   ? "10 mm"
-                             : is_force(entry)                  ? "2 N"
-                                                                : "30 kPa"));
+                        "write the " + entry.form->word() + " at full load, for example " + entry.form->example);
 }
 
 model::PressureLoad pressure_load(const LoadEntry& entry, const Values& values) {
-    model::PressureLoad load;
+    model::PressureLoad load = pressure_settings_of(values, entry.path);
     load.name = entry.name;
     load.targets = {entry.name};
-    load.shape = values.text(entry.path + ".acts_on") == "undeformed" ? model::LoadShape::undeformed
-                                                                      : model::LoadShape::deformed;
     load.time_function = time_function_of(values, entry.path);
-    load.line = line_of(values, entry.path);
-    if (entry.kind != LoadKind::gas) return load;
-    load.sealed = values.text(entry.path + ".sealed") == "true";
-    load.plug_thrust = values.text(entry.path + ".plug_thrust") == "true";
     if (!load.sealed && !load.plug_thrust)
         throw values.refuse(entry.path + ".plug_thrust", "the openings have no plugs, as sealed is false",
                             "leave it out, or sealed: true");
-    const std::string gas = entry.path + ".gas.";
-    load.gas = {.ambient_Pa = values.number(gas + "ambient"),
-                .ambient_density_kg_m3 = values.number(gas + "density"),
-                .dead_volume_m3 = values.number(gas + "dead_volume"),
-                .exponent = values.text(gas + "process") == "adiabatic" ? adiabatic_exponent : 1.0};
     return load;
 }
 
@@ -205,25 +137,25 @@ LoadSlot add_load(const LoadEntry& entry, double value, Loads& loads, const Valu
         case LoadKind::gas:
         case LoadKind::face_pressure:
             loads.pressures.push_back(pressure_load(entry, values));
-            return {entry.kind, loads.pressures.size() - 1, value};
+            return {entry.form, loads.pressures.size() - 1, value};
         case LoadKind::shared_gas: break;
         case LoadKind::traction:
             check_direction(values, entry.path + ".along");
-            loads.tractions.push_back({entry.name, value, values.text(entry.path + ".along"),
-                                       time_function_of(values, entry.path),
-                                       is_force(entry) ? Design::Spread::whole_face : Design::Spread::per_area});
-            return {entry.kind, loads.tractions.size() - 1, value};
+            loads.tractions.push_back(
+                {entry.name, value, values.text(entry.path + ".along"), time_function_of(values, entry.path),
+                 entry.form->word() == "force" ? Design::Spread::whole_face : Design::Spread::per_area});
+            return {entry.form, loads.tractions.size() - 1, value};
         case LoadKind::gravity:
             require_density(values, entry.value);
             loads.body_forces.push_back(
                 {entry.name, value, values.text(entry.path + ".along"), time_function_of(values, entry.path)});
-            return {entry.kind, loads.body_forces.size() - 1, value};
+            return {entry.form, loads.body_forces.size() - 1, value};
         case LoadKind::motion:
             check_direction(values, entry.path + ".along");
             loads.motions.push_back({entry.name, value, values.text(entry.path + ".along")});
-            return {entry.kind, loads.motions.size() - 1, value};
+            return {entry.form, loads.motions.size() - 1, value};
     }
-    return {entry.kind, 0, value};
+    return {entry.form, 0, value};
 }
 
 }  // namespace
@@ -239,20 +171,14 @@ std::vector<LoadEntry> add_load_keys(Schema& schema, const Node& root, const Nod
     std::vector<LoadEntry> entries;
     for (const NamedLoad& load : named_loads(root, "loads", schema.faces)) {
         if (!schema.dynamic)
-            refuse_keys(load, std::vector<std::string>{"time_function", "line"},
-                        "a static path has no time function and no supply line",
-                        "add dynamics: {duration: 1 s}, or leave it out");
-        switch (load.target) {
-            case LoadTarget::cavity: entries.push_back(add_cavity(schema, load, defaults)); break;
-            case LoadTarget::gravity: entries.push_back(add_gravity(schema, load)); break;
-            case LoadTarget::face: entries.push_back(add_face(schema, load)); break;
-        }
-        const LoadKind kind = entries.back().kind;
-        if (schema.dynamic && kind != LoadKind::shared_gas && kind != LoadKind::motion)
+            refuse_keys(load, {{"time_function", "line"},
+                               "a static path has no time function and no supply line",
+                               "add dynamics: {duration: 1 s}, or leave it out"});
+        const LoadEntry& entry = entries.emplace_back(add_load_keys_of(schema, load, defaults));
+        if (schema.dynamic && entry.form->takes_time_function)
             add_time_function_keys(schema, load.path, load.member->value, examples);
-        examples.try_emplace(entries.back().path + ".pressure", "30 kPa");
-        examples.try_emplace(entries.back().path + ".acceleration", "9.81 m/s^2");
-        examples.try_emplace(entries.back().path + ".along", kind == LoadKind::gravity ? "-x" : "y");
+        examples.try_emplace(entry.value, entry.form->example);
+        examples.try_emplace(entry.path + ".along", entry.kind == LoadKind::gravity ? "-x" : "y");
     }
     return entries;
 }
@@ -276,12 +202,13 @@ std::vector<StageLoad> add_stage_load_keys(Schema& schema, const Node& root, con
         if (own->kind == LoadKind::shared_gas)
             refuse(load.member->location, load.path, "the cavity shares the gas of another cavity",
                    "change the load of that cavity");
-        const std::vector<std::string> words = supply_names();
-        const std::string_view written = own->kind == LoadKind::gas ? only_one_of(load, words) : std::string_view{};
-        const SupplyWord& word = supply_word(written);
-        schema.keys.push_back(stage_key(*own, load.path, word));
-        if (own->kind == LoadKind::gas) schema.names[load.path] = words;
-        found.push_back({index, word.what, schema.keys.back().path});
+        const bool gas = own->kind == LoadKind::gas;
+        std::vector<std::string> words = words_of(load.target);
+        std::erase(words, "shares");
+        const LoadForm& form = gas ? form_of(load.target, only_word(load, words)) : *own->form;
+        schema.keys.push_back(magnitude_key(load.path, form, When::stage_end));
+        if (gas) schema.names[load.path] = words;
+        found.push_back({index, form.what, schema.keys.back().path});
     }
     return found;
 }

@@ -8,11 +8,10 @@
 
 #include "design/collect.hpp"
 #include "design/design.hpp"
+#include "design/load_keys.hpp"
 #include "design/sections.hpp"
 
 namespace soft::design {
-
-enum class LoadKind { gas, shared_gas, face_pressure, traction, gravity, motion };
 
 /// A load as written in `loads` or in a stage.
 struct LoadEntry {
@@ -22,6 +21,7 @@ struct LoadEntry {
     LoadKind kind = LoadKind::gas;
     model::Prescription what = model::Prescription::pressure;
     std::string value = {};  ///< path of the key with the magnitude: "loads.cavity.pressure"
+    const LoadForm* form = nullptr;
 };
 
 /// Adds the keys of all loads and returns the loads in document order. Loads with an unknown name are skipped; collect() rejects
@@ -38,9 +38,9 @@ struct StageLoad {
 [[nodiscard]] std::vector<StageLoad> add_stage_load_keys(Schema& schema, const Node& root, const std::string& stage,
                                                          std::span<const LoadEntry> loads);
 
-/// Where an entry is stored: the list of the case (by kind), the index in it, and its value at the full load (SI).
+/// Where an entry is stored: the index in the list of the case, and its value at the full load (SI).
 struct LoadSlot {
-    LoadKind kind;
+    const LoadForm* form;
     std::size_t index;
     double value;
 };

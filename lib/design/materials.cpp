@@ -4,22 +4,19 @@
 
 #include "core/text.hpp"
 #include "design/common_keys.hpp"
+#include "design/setting.hpp"
 
 namespace soft::design {
 namespace {
+
+using model::Material;
 
 constexpr std::string_view example_material = "{law: neo-hookean, mu: 0.1644 MPa}";
 
 /// Path of a key in a section, which is "material" or "materials.<name>".
 std::string at(const std::string& section, std::string_view key) { return section + "." + std::string{key}; }
 
-/// Moves a key that is declared for the main material to another section.
-Key in_section(Key key, const std::string& section) {
-    key.path = section + key.path.substr(key.path.rfind('.'));
-    return key;
-}
-
-Kind kind_of(material::Quantity quantity) {
+Kind kind_of_quantity(material::Quantity quantity) {
     switch (quantity) {
         case material::Quantity::pressure: return Kind::pressure;
         case material::Quantity::ratio: return Kind::ratio;
@@ -34,50 +31,46 @@ Kind kind_of(material::Quantity quantity) {
            core::did_you_mean(law.text, law_names()) + " (mesh-gen --list-materials)");
 }
 
-Key young_key() {
-    return {.path = "material.young",
-            .kind = Kind::pressure,
-            .meaning = "Young's modulus, in place of mu and kappa",
-            .min = 0,
-            .min_open = true};
-}
-
-Key poisson_key(const material::LawInfo& law) {
+/// young and poisson, in place of mu and kappa.
+std::vector<Key> young_poisson_keys(const material::LawInfo& law) {
     const bool incompressible = law.bulk == material::Bulk::selectable;
-    return {.path = "material.poisson",
-            .kind = Kind::ratio,
-            .meaning = incompressible ? "Poisson's ratio; 0.5 is incompressible"
-                                      : "Poisson's ratio below 0.5; the law has no incompressible form",
-            .min = -1,
-            .max = 0.5,
-            .min_open = true};
+    return {value_key("young", Kind::pressure, above(0), "Young's modulus, in place of mu and kappa"),
+            value_key("poisson", Kind::ratio, {-1, 0.5, true},
+                      incompressible ? "Poisson's ratio; 0.5 is incompressible"
+                                     : "Poisson's ratio below 0.5; the law has no incompressible form")};
 }
 
-Key density_key() {
-    return {.path = "material.density",
-            .kind = Kind::density,
-            .fallback = "none",
-            .meaning = "mass density of the undeformed rubber, for gravity and dynamics",
-            .min = 0,
-            .min_open = true,
-            .choices = {"none"}};
-}
-
-Key strain_key() {
-    return {.path = "material.strain",
-            .kind = Kind::choice,
-            .fallback = "finite",
-            .meaning = "finite: the law as it is; small: Hooke's law with its moduli, linear in the displacements",
-            .choices = {"finite", "small"}};
+Setting<Material> bulk_setting() {
+    return or_word("incompressible",
+                   quantity("kappa", &Material::bulk_modulus_Pa, Kind::pressure, above(0), "bulk modulus"));
 }
 
 Key bulk_key(const material::LawInfo& law) {
-    Key key = kappa_key();
-    if (law.bulk == material::Bulk::selectable) return key;
-    key.fallback.clear();
-    key.choices.clear();
-    key.meaning = "bulk modulus; the law has no incompressible form";
-    return key;
+    if (law.bulk == material::Bulk::selectable) return bulk_setting().key;
+    return value_key("kappa", Kind::pressure, above(0), "bulk modulus; the law has no incompressible form");
+}
+
+/// The settings that do not depend on the law.
+const Settings<Material>& common_settings() {
+    static const Settings<Material> settings{
+        or_word("none", quantity("density", &Material::density_kg_m3, Kind::density, above(0),
+                                 "mass density of the undeformed rubber, for gravity and dynamics")),
+        choice("strain", &Material::strain, {{"finite", model::Strain::finite}, {"small", model::Strain::small}},
+               "finite: the law as it is; small: Hooke's law with its moduli, linear in the displacements")};
+    return settings;
+}
+
+Setting<Material> volumetric_setting() {
+    using model::Volumetric;
+    return choice("volumetric", &Material::volumetric,
+                  {{"quadratic", Volumetric::quadratic}, {"log", Volumetric::log}, {"mixed", Volumetric::mixed}},
+                  "energy of a change of volume J: kappa/2 (J - 1)^2, kappa/2 (ln J)^2 or kappa/4 (J^2 - 1 - 2 ln J)");
+}
+
+Setting<Material> frame_setting() {
+    return choice("frame", &Material::fiber_frame,
+                  {{"cylindrical", model::FiberFrame::cylindrical}, {"cartesian", model::FiberFrame::cartesian}},
+                  "plane of the fibres: x and the hoop direction about x (cylindrical), or x and y (cartesian)");
 }
 
 /// A material section of the tree.
@@ -111,47 +104,40 @@ void add_fit_keys(Schema& schema, const MaterialSection& written) {
     for (const Member& member : fit->members) {
         const std::string path = at(fit_path, member.key);
         if (std::ranges::find(texts, member.key) != texts.end())
-            schema.keys.push_back(
-                {.path = path, .kind = Kind::text, .meaning = "description of the test data of the constants"});
+            schema.keys.push_back(value_key(path, Kind::text, {}, "description of the test data of the constants"));
         if (member.key == "max_I1")
-            schema.keys.push_back({.path = path,
-                                   .kind = Kind::ratio,
-                                   .meaning = "largest I1 of the test data; solve warns beyond it",
-                                   .min = 3});
+            schema.keys.push_back(
+                value_key(path, Kind::ratio, at_least(3), "largest I1 of the test data; solve warns beyond it"));
     }
     schema.names[fit_path].emplace_back("max_I1");
 }
 
 void add_law_keys(Schema& schema, const MaterialSection& written, const material::LawInfo& law, Examples& examples,
                   std::string_view default_frame) {
-    const auto add = [&](const Key& key, std::string_view example = {}) {
-        schema.keys.push_back(in_section(key, written.section));
-        if (!example.empty()) examples[schema.keys.back().path] = example;
+    const auto add = [&](Key key, std::string_view example = {}) {
+        key.path = at(written.section, key.path);
+        if (!example.empty()) examples[key.path] = example;
+        schema.keys.push_back(std::move(key));
     };
     if (has_young_poisson(written, law)) {
-        add(young_key(), "0.49 MPa");
-        add(poisson_key(law), "0.49");
+        for (const Key& key : young_poisson_keys(law)) add(key, key.path == "young" ? "0.49 MPa" : "0.49");
     } else {
         for (const material::Parameter& parameter : law.parameters) add(parameter_key(parameter), parameter.example);
         add(bulk_key(law), "16.44 MPa");
     }
     if (law.takes_volumetric) {
-        add(volumetric_key());
+        add(volumetric_setting().key);
         // With ln J this law is the standard compressible neo-Hookean law of the textbooks.
         if (law.name == material::NeoHookeanCompressible::info().name) schema.keys.back().fallback = "log";
     } else if (const Member* volumetric = find_member(written.material, "volumetric")) {
         refuse(volumetric->location, at(written.section, "volumetric"),
                "the law " + std::string{law.name} + " defines its own volumetric energy", "leave it out");
     }
-    add(density_key());
-    add(strain_key());
+    for (const Setting<Material>& setting : common_settings()) add(setting.key);
     add_fit_keys(schema, written);
-    if (law.fibers)
-        add({.path = "material.frame",
-             .kind = Kind::choice,
-             .fallback = std::string{default_frame},
-             .meaning = "plane of the fibres: x and the hoop direction about x (cylindrical), or x and y (cartesian)",
-             .choices = {"cylindrical", "cartesian"}});
+    if (!law.fibers) return;
+    add(frame_setting().key);
+    schema.keys.back().fallback = default_frame;
 }
 
 /// Converts an error about a parameter of the law to an error at the key of that parameter.
@@ -163,7 +149,7 @@ Error error_at_key(const Values& values, const std::string& section, const Error
     return values.refuse(path, line.substr(colon == std::string_view::npos ? 0 : colon + 2));
 }
 
-model::Material from_young_poisson(const Values& values, model::Material material) {
+Material from_young_poisson(const Values& values, Material material) {
     const double young_Pa = values.number(at(material.source, "young")),
                  poisson = values.number(at(material.source, "poisson"));
     material.constants["mu"] = {young_Pa / (2.0 * (1.0 + poisson))};
@@ -173,7 +159,7 @@ model::Material from_young_poisson(const Values& values, model::Material materia
 
 void add_section_keys(Schema& schema, const MaterialSection& written, Examples& examples,
                       std::string_view default_frame) {
-    schema.keys.push_back(in_section(law_key(), written.section));
+    schema.keys.push_back(choice_key(at(written.section, "law"), "", law_names(), "constitutive law of the rubber"));
     examples[schema.keys.back().path] = core::join(law_names(), " | ");
     const Node* name = find(written.material, "law");
     if (name == nullptr || name->kind != Node::Kind::scalar) return;  // collect() reports the missing law
@@ -198,8 +184,8 @@ std::vector<std::string> law_names() {
 }
 
 Key parameter_key(const material::Parameter& parameter) {
-    return {.path = "material." + std::string{parameter.name},
-            .kind = kind_of(parameter.quantity),
+    return {.path = std::string{parameter.name},
+            .kind = kind_of_quantity(parameter.quantity),
             .fallback = std::string{parameter.fallback},
             .meaning = std::string{parameter.meaning},
             .min = parameter.min,
@@ -226,12 +212,11 @@ void add_material_keys(Schema& schema, const Node& root, std::string_view source
     }
 }
 
-model::Material material_of(const Values& values, const std::string& section) {
-    static const std::map<std::string, model::Volumetric> volumetrics = {{"quadratic", model::Volumetric::quadratic},
-                                                                         {"log", model::Volumetric::log},
-                                                                         {"mixed", model::Volumetric::mixed}};
+Material material_of(const Values& values, const std::string& section) {
     const auto path = [&](std::string_view key) { return at(section, key); };
-    model::Material material;
+    Settings<Material> settings = common_settings();
+    for (const auto& setting : {bulk_setting(), volumetric_setting(), frame_setting()}) settings.push_back(setting);
+    Material material = read_settings(settings, values, section);
     material.name = "rubber";
     material.source = section;
     material.law = values.text(path("law"));
@@ -240,13 +225,7 @@ model::Material material_of(const Values& values, const std::string& section) {
     } else {
         for (const material::Parameter& parameter : material::find_law(material.law)->parameters)
             material.constants[std::string{parameter.name}] = values.numbers(path(parameter.name));
-        if (values.text(path("kappa")) != "incompressible") material.bulk_modulus_Pa = values.number(path("kappa"));
     }
-    if (values.text(path("density")) != "none") material.density_kg_m3 = values.number(path("density"));
-    if (values.has(path("volumetric"))) material.volumetric = volumetrics.at(values.text(path("volumetric")));
-    if (values.text(path("strain")) == "small") material.strain = model::Strain::small;
-    if (values.has(path("frame")) && values.text(path("frame")) == "cylindrical")
-        material.fiber_frame = model::FiberFrame::cylindrical;
     try {
         static_cast<void>(model::make_rubber(material));
     } catch (const Error& error) {
@@ -256,9 +235,9 @@ model::Material material_of(const Values& values, const std::string& section) {
 }
 
 std::map<std::string, model::Material, std::less<>> materials_of(const Values& values) {
-    std::map<std::string, model::Material, std::less<>> materials;
+    std::map<std::string, Material, std::less<>> materials;
     for (const std::string& name : values.names_below(materials_group)) {
-        model::Material& material = materials[name] = material_of(values, at(std::string{materials_group}, name));
+        Material& material = materials[name] = material_of(values, at(std::string{materials_group}, name));
         material.name = name;
     }
     return materials;
@@ -279,7 +258,7 @@ void require_density(const Values& values, std::string_view needed_by) {
                                 "add " + section + ": {density: 1080 kg/m^3}, that of the undeformed rubber");
 }
 
-void check_law_formulation(const Values& values, const model::Material& material) {
+void check_law_formulation(const Values& values, const Material& material) {
     static const std::map<std::string, model::Formulation> forms = {{"displacement", material::Form::displacement},
                                                                     {"mixed", material::Form::mixed},
                                                                     {"f-bar", material::Form::f_bar}};
@@ -289,6 +268,33 @@ void check_law_formulation(const Values& values, const model::Material& material
         material::explain_incompatibility(model::make_rubber(material), forms.at(values.text(formulation)));
     if (!reason.empty())
         throw values.refuse(values.given(formulation) ? formulation : at(material.source, "law"), reason);
+}
+
+void check_formulation(const Values& values) {
+    const auto has_value = [&](const char* path, std::string_view word) {
+        return values.has(path) && values.text(path) == word;
+    };
+    constexpr const char* formulation = "mesh.formulation";
+    const bool first_order = values.has("mesh.order") && values.text("mesh.order") == "1";
+    const bool second_order = values.has("mesh.order") && values.text("mesh.order") == "2";
+    if (has_value(formulation, "mixed") && first_order)
+        throw values.refuse(values.given("mesh.order") ? "mesh.order" : formulation,
+                            "first-order cells have no stable pair with a pressure (formulation: mixed)",
+                            "order: 2, or formulation: f-bar for quadrilaterals and hexahedra");
+    if (has_value(formulation, "f-bar")) {
+        if (second_order)
+            throw values.refuse(formulation, "f-bar is for first-order cells",
+                                "add order: 1, or take formulation: mixed");
+        if (has_value("mesh.cells", "simplices"))
+            throw values.refuse(formulation,
+                                "f-bar does nothing for triangles and tetrahedra: their change of volume is constant",
+                                "cells: auto, or formulation: mixed with order: 2");
+    }
+    if (!values.has(formulation) || has_value(formulation, "mixed")) return;
+    for (const std::string& section : material_sections(values))
+        if (const std::string kappa = section + ".kappa"; has_value(kappa.c_str(), "incompressible"))
+            throw values.refuse(formulation, values.text(formulation) + " needs a finite bulk modulus",
+                                "formulation: mixed, or a value for " + kappa);
 }
 
 }  // namespace soft::design

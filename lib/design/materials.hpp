@@ -1,6 +1,6 @@
 #pragma once
 /// The materials of a design: `material` and the named ones below `materials`. The keys are generated from material::laws(); no
-/// property of a law is repeated here. Private to the module. Tested by design/material_test.
+/// property of a law is repeated here. Private to the module. Tested by design/material_test and design/formulation_test.
 #include <map>
 #include <string>
 #include <vector>
@@ -16,7 +16,7 @@ namespace soft::design {
 /// Sections: the main rubber, and the group of all others ("materials.paper").
 inline constexpr std::string_view main_material = "material", materials_group = "materials";
 
-/// The key of a parameter of a law, "material.<name>".
+/// The key of a parameter of a law; its path is the name.
 [[nodiscard]] Key parameter_key(const material::Parameter& parameter);
 
 /// Adds the keys of all materials. Throws Error(bad_input) for an unknown or missing law, for young/poisson together with mu/kappa, and
@@ -41,5 +41,10 @@ void require_density(const Values& values, std::string_view needed_by);
 
 /// Throws Error at mesh.formulation if the law does not support that formulation.
 void check_law_formulation(const Values& values, const model::Material& material);
+
+/// Throws Error(bad_input) for: mixed with first-order cells (no inf-sup stable pair of displacement and pressure); f-bar with
+/// second-order cells, simplices or an incompressible material; displacement with an incompressible material. Each error names an
+/// alternative.
+void check_formulation(const Values& values);
 
 }  // namespace soft::design

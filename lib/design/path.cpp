@@ -1,7 +1,6 @@
 #include "design/path.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include "core/text.hpp"
 #include "design/materials.hpp"
@@ -40,14 +39,10 @@ private:
     void set_target(const StageLoad& load, model::Stage& stage) const {
         const LoadSlot& slot = parts_.loads.slots[load.index];
         const double value = load.what == Prescription::closed ? 0 : values_.number(load.value);
-        switch (slot.kind) {
-            case LoadKind::gas:
-            case LoadKind::face_pressure: stage.supplies[slot.index] = {load.what, value}; break;
-            case LoadKind::shared_gas: break;
-            case LoadKind::traction: stage.tractions[slot.index] = value / slot.value; break;
-            case LoadKind::gravity: stage.body_forces[slot.index] = value / slot.value; break;
-            case LoadKind::motion: stage.motions[slot.index] = value / slot.value; break;
-        }
+        if (slot.form->levels != nullptr)
+            (stage.*slot.form->levels)[slot.index] = value / slot.value;
+        else
+            stage.supplies[slot.index] = {load.what, value};
     }
 
     /// The key of the stage, or that of the path if the stage inherits it.
@@ -57,13 +52,8 @@ private:
     }
 
     void control(const StageEntry& entry, model::Stage& stage) {
-        static const std::map<std::string, Control> controls = {{"auto", Control::automatic},
-                                                                {"pressure", Control::pressure},
-                                                                {"volume", Control::volume},
-                                                                {"displacement", Control::displacement},
-                                                                {"arc-length", Control::arc_length}};
         const std::string key = own_or_path(entry, "control");
-        stage.control = controls.at(values_.text(key));
+        control_setting().read(values_, key, stage);
         stage.controlled.clear();
         if (stage.control == Control::volume) check_volume(key);
         if (stage.control == Control::displacement && parts_.outputs.empty())
@@ -143,10 +133,11 @@ private:
 
 model::Stage unloaded(const Loads& loads) {
     model::Stage stage;
-    stage.supplies.resize(loads.pressures.size());
-    stage.tractions.resize(loads.tractions.size());
-    stage.body_forces.resize(loads.body_forces.size());
-    stage.motions.resize(loads.motions.size());
+    for (const LoadSlot& slot : loads.slots)
+        if (slot.form->levels != nullptr)
+            (stage.*slot.form->levels).push_back(0);
+        else if (slot.form->kind != LoadKind::shared_gas)
+            stage.supplies.emplace_back();
     return stage;
 }
 
@@ -175,8 +166,8 @@ void check_frequencies(const Values& values) {
 }  // namespace
 
 model::PathSettings path_of(const PathParts& parts, std::span<const Item> items, const Values& values) {
-    model::PathSettings path;
     check_all_named(parts, values);
+    model::PathSettings path = read_settings(path_settings(), values, "path");
     StageReader reader{parts, items, values};
     model::Stage before = unloaded(parts.loads);
     for (const StageEntry& entry : parts.stages) {
@@ -184,11 +175,6 @@ model::PathSettings path_of(const PathParts& parts, std::span<const Item> items,
         before = path.stages.back();
     }
     if (values.text(controlled_path) != "first" && !reader.uses_controlled()) reader.refuse_controlled(controlled_path);
-    if (values.text("path.branch") == "follow") path.branch = model::Branch::follow;
-    path.imperfection_m = values.number("path.imperfection");
-    if (values.text("path.contact") == "ignore") path.contact = model::Contact::ignore;
-    path.stretch_limit = values.number("path.stretch_limit");
-    path.frequencies = values.count(frequencies_path);
     if (path.frequencies > 0) check_frequencies(values);
     return path;
 }

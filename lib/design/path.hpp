@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "design/loads.hpp"
+#include "design/setting.hpp"
 
 namespace soft::design {
 
@@ -14,6 +15,10 @@ struct StageEntry {
     std::string path;  ///< "path.stages.inflate"; "path" for the single unnamed stage
     std::vector<StageLoad> loads;
 };
+
+/// The settings of a path other than its stages, and the control of a stage.
+[[nodiscard]] const Settings<model::PathSettings>& path_settings();
+[[nodiscard]] const Setting<model::Stage>& control_setting();
 
 /// Replaces an empty `until` of a stage by the word `none`, so that it can be stored in a flat list of values.
 void fill_empty_until(Node& root);

@@ -1,90 +1,44 @@
 /// The keys of `path`.
 #include <algorithm>
 
-#include "core/units.hpp"
 #include "design/common_keys.hpp"
 #include "design/path.hpp"
 
 namespace soft::design {
 namespace {
 
+using model::Control;
+
 constexpr const char *as_path = "path", *no_end = "none", *stages_path = "path.stages";
 
-std::vector<std::string> controls() { return {"auto", "pressure", "volume", "displacement", "arc-length"}; }
+/// Keys of a stage repeat those of the path, with the word `path` to take over its value.
+Key key_for(const std::string& path, Key key, const char* meaning_of_stage) {
+    if (path != "path") {
+        key.choices.insert(key.choices.begin(), as_path);
+        key.fallback = as_path;
+        key.meaning = meaning_of_stage;
+    }
+    key.path.insert(0, path + ".");
+    return key;
+}
 
 Key control_key(const std::string& path) {
-    const bool of_stage = path != "path";
-    std::vector<std::string> choices = controls();
-    if (of_stage) choices.insert(choices.begin(), as_path);
-    return {
-        .path = path + ".control",
-        .kind = Kind::choice,
-        .fallback = of_stage ? as_path : "auto",
-        .meaning =
-            of_stage
-                ? "as path.control, or the quantity prescribed in this stage"
-                : "quantity prescribed along the path; auto takes the load while the body is stiff, then the volume "
-                  "or the arc length, and passes limit points",
-        .choices = std::move(choices)};
+    return key_for(path, control_setting().key, "as path.control, or the quantity prescribed in this stage");
 }
 
+/// `choices`: outputs and cavities.
 Key controlled_key(const std::string& path, std::vector<std::string> choices) {
-    const bool of_stage = path != "path";
-    choices.insert(choices.begin(), of_stage ? as_path : "first");
-    return {.path = path + ".controlled",
-            .kind = Kind::choice,
-            .fallback = choices.front(),
-            .meaning = of_stage ? "as path.controlled, or another output or cavity"
-                                : "output (control: displacement) or cavity (control: volume) that is prescribed",
-            .choices = std::move(choices)};
+    if (path == "path") choices.insert(choices.begin(), "first");
+    return key_for(path,
+                   choice_key("controlled", "first", std::move(choices),
+                              "output (control: displacement) or cavity (control: volume) that is prescribed"),
+                   "as path.controlled, or another output or cavity");
 }
 
-std::vector<Key> branch_keys() {
-    const model::PathSettings defaults;
-    return {
-        {.path = "path.branch",
-         .kind = Kind::choice,
-         .fallback = "stay",
-         .meaning =
-             "at a bifurcation: stay on the primary branch, or follow the other branch from the first bifurcation on",
-         .choices = {"stay", "follow"}},
-        {.path = "path.imperfection",
-         .kind = Kind::length,
-         .fallback = "0.1 mm",
-         .meaning = "amplitude of the perturbation onto a followed branch, as its largest displacement",
-         .min = 0,
-         .min_open = true},
-        {.path = "path.contact",
-         .kind = Kind::choice,
-         .fallback = "stop",
-         .meaning = "at self-contact of the walls: stop the path, or ignore it and let the walls penetrate",
-         .choices = {"stop", "ignore"}},
-        {.path = "path.stretch_limit",
-         .kind = Kind::ratio,
-         .fallback = core::quantity_text(defaults.stretch_limit, core::Dimension::ratio),
-         .meaning = "stretch, exceeded in 1 % of the rubber, at which a load that cannot be reached is abandoned",
-         .min = 1,
-         .min_open = true},
-        {.path = "path.frequencies",
-         .kind = Kind::count,
-         .fallback = std::to_string(defaults.frequencies),
-         .meaning =
-             "number of natural frequencies of small vibrations about each state, loads held; needs material.density",
-         .min = 0,
-         .max = model::max_frequencies}};
-}
-
-Kind kind_of(const Node* measure) {
-    const auto known = std::ranges::find_if(model::all_measures, [&](model::Measure m) {
-        return measure != nullptr && measure->text == model::name_of(m);
-    });
-    switch (known == model::all_measures.end() ? core::Dimension::length : model::unit_of(*known).dimension) {
-        case core::Dimension::angle: return Kind::angle;
-        case core::Dimension::curvature: return Kind::curvature;
-        case core::Dimension::force: return Kind::force;
-        case core::Dimension::moment: return Kind::moment;
-        default: return Kind::length;
-    }
+Kind kind_of_output(const Node* measure) {
+    const auto known = std::ranges::find(model::measures, measure == nullptr ? "displacement" : measure->text,
+                                         &model::MeasureInfo::name);
+    return known == model::measures.end() ? Kind::length : kind_of(known->unit.dimension);
 }
 
 /// An output of the tree and the kind of its values.
@@ -95,7 +49,7 @@ struct NamedOutput {
 std::vector<NamedOutput> named_outputs(const Node& root) {
     std::vector<NamedOutput> outputs;
     for (const Member& output : members_of(root, "outputs")) {
-        outputs.push_back({output.key, kind_of(find(output.value, "measure"))});
+        outputs.push_back({output.key, kind_of_output(find(output.value, "measure"))});
     }
     return outputs;
 }
@@ -107,9 +61,8 @@ void add_until_keys(Schema& schema, const Node& root, const std::string& section
     for (const Member& until : members_of(root, section)) {
         const auto output = std::ranges::find(outputs, until.key, &NamedOutput::name);
         if (output != outputs.end())
-            schema.keys.push_back({.path = section + "." + until.key,
-                                   .kind = output->kind,
-                                   .meaning = "the path or stage ends when the output reaches this value"});
+            schema.keys.push_back(value_key(section + "." + until.key, output->kind, {},
+                                            "the path or stage ends when the output reaches this value"));
         else if (std::ranges::find(ends, until.key) != ends.end())
             schema.keys.push_back(until_key(section, until.key));
     }
@@ -133,15 +86,44 @@ StageEntry add_stage_keys(Schema& schema, const Node& root, const Member& stage,
     if (own != nullptr && own->kind == Node::Kind::map)
         add_until_keys(schema, root, until, named_outputs(root));
     else
-        schema.keys.push_back({.path = until,
-                               .kind = Kind::choice,
-                               .fallback = as_path,
-                               .meaning = "as path.until, none, or a separate group {quantity: value}",
-                               .choices = {as_path, no_end}});
+        schema.keys.push_back(choice_key(until, as_path, {as_path, no_end},
+                                         "as path.until, none, or a separate group {quantity: value}"));
     return entry;
 }
 
 }  // namespace
+
+const Setting<model::Stage>& control_setting() {
+    static const Setting<model::Stage> setting = choice(
+        "control", &model::Stage::control,
+        {{"auto", Control::automatic},
+         {"pressure", Control::pressure},
+         {"volume", Control::volume},
+         {"displacement", Control::displacement},
+         {"arc-length", Control::arc_length}},
+        "quantity prescribed along the path; auto takes the load while the body is stiff, then the volume or the arc "
+        "length, and passes limit points");
+    return setting;
+}
+
+const Settings<model::PathSettings>& path_settings() {
+    using model::Branch, model::Contact;
+    using Path = model::PathSettings;
+    static const Settings<Path> settings{
+        choice(
+            "branch", &Path::branch, {{"stay", Branch::stay}, {"follow", Branch::follow}},
+            "at a bifurcation: stay on the primary branch, or follow the other branch from the first bifurcation on"),
+        in_unit("mm", quantity("imperfection", &Path::imperfection_m, Kind::length, above(0),
+                               "amplitude of the perturbation onto a followed branch, as its largest displacement")),
+        choice("contact", &Path::contact, {{"stop", Contact::stop}, {"ignore", Contact::ignore}},
+               "at self-contact of the walls: stop the path, or ignore it and let the walls penetrate"),
+        number("stretch_limit", &Path::stretch_limit, above(1),
+               "stretch, exceeded in 1 % of the rubber, at which a load that cannot be reached is abandoned"),
+        count("frequencies", &Path::frequencies, {0, model::max_frequencies},
+              "number of natural frequencies of small vibrations about each state, loads held; needs "
+              "material.density")};
+    return settings;
+}
 
 void fill_empty_until(Node& root) {
     for (const Member& stage : members_of(root, stages_path)) {
@@ -160,7 +142,7 @@ std::vector<StageEntry> add_path_keys(Schema& schema, const Node& root, std::spa
     schema.keys.push_back(control_key("path"));
     schema.keys.push_back(controlled_key("path", std::move(controlled)));
     add_until_keys(schema, root, "path.until", outputs);
-    for (Key& key : branch_keys()) schema.keys.push_back(std::move(key));
+    for (Key& key : keys_of(path_settings(), "path")) schema.keys.push_back(std::move(key));
     std::vector<StageEntry> stages;
     for (const Member& stage : members_of(root, stages_path))
         stages.push_back(add_stage_keys(schema, root, stage, loads));

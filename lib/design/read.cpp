@@ -4,7 +4,6 @@
 #include "core/text.hpp"
 #include "design/common_keys.hpp"
 #include "design/dynamics_keys.hpp"
-#include "design/formulation.hpp"
 #include "design/load_names.hpp"
 #include "design/material_library.hpp"
 #include "design/materials.hpp"

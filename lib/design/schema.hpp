@@ -46,4 +46,22 @@ struct Key {
         1;  ///< text: 1 allows a single line only; number or quantity: maximum length of a list, 1 allows a single value only
 };
 
+/// Allowed numbers, SI.
+struct Range {
+    double min = -std::numeric_limits<double>::infinity(), max = std::numeric_limits<double>::infinity();
+    bool min_open = false;
+};
+constexpr Range above(double min) { return {.min = min, .min_open = true}; }
+constexpr Range at_least(double min) { return {.min = min}; }
+inline constexpr Range share{0, 1, true};
+
+/// The key of a number, quantity, text or faces, without a default.
+[[nodiscard]] Key value_key(std::string path, Kind kind, Range range, std::string meaning);
+/// The key of a choice; `fallback` may be empty.
+[[nodiscard]] Key choice_key(std::string path, std::string fallback, std::vector<std::string> choices,
+                             std::string meaning);
+[[nodiscard]] Key with_default(std::string fallback, Key key);
+/// Allows `word` in place of a value and makes it the default.
+[[nodiscard]] Key or_word(std::string word, Key key);
+
 }  // namespace soft::design

@@ -37,8 +37,10 @@ std::array<bool, 3> components_of(const std::string& component, const Values& va
     return component == "y" ? std::array{false, true, false} : std::array{false, false, true};
 }
 
-model::Measure measure_of(const std::string& word) {
-    return *std::ranges::find(model::all_measures, word, model::name_of);
+/// nullptr for an unknown word.
+const model::MeasureInfo* find_measure(std::string_view word) {
+    const auto found = std::ranges::find(model::measures, word, &model::MeasureInfo::name);
+    return found == model::measures.end() ? nullptr : &*found;
 }
 
 std::string single_face(const Item& item, const FaceNames& faces, const Values& values) {
@@ -87,32 +89,23 @@ std::vector<double> point_of(const Item& item, const Values& values) {
     return point_m;
 }
 
-void check_measure(const Values& values, const std::string& output, model::Measure measure) {
-    const std::string &model = values.text("model"), along = output + ".along";
-    const bool solid = model != "axisymmetric" && model != "plane-strain";
-    switch (measure) {
-        case model::Measure::displacement: return check_direction(values, along);
-        case model::Measure::bend:
-        case model::Measure::twist:
-        case model::Measure::moment: return check_axis(values, output);
-        case model::Measure::rotation:
-        case model::Measure::curvature:
-            check_axis(values, output);
-            if (!solid)
-                throw values.refuse(output + ".measure", "a section has no such measure",
-                                    "measure: bend, or model: solid");
-            return;
-        case model::Measure::radial:
-            if (model == "plane-strain" || values.text(along) == "r" || values.text(along) == "normal")
-                throw values.refuse(along, "it is the axis from which the distance is taken",
-                                    "use axis, x, y or z, in a solid or axisymmetric model");
-            return check_direction(values, along);
-        case model::Measure::force:
-            check_direction(values, along);
-            if (values.text(along) == "r")
-                throw values.refuse(along, "forces along r cancel around the circumference", "use axis, x or normal");
-            return;
-    }
+void check_measure(const Values& values, const std::string& output, const model::MeasureInfo& measure) {
+    const std::string &model = values.text("model"), along = output + ".along", &word = values.text(along);
+    if (measure.along == model::Along::axis)
+        check_axis(values, output);
+    else if (measure.along == model::Along::distance_axis &&
+             (model == "plane-strain" || word == "r" || word == "normal"))
+        throw values.refuse(along, "it is the axis from which the distance is taken",
+                            "use axis, x, y or z, in a solid or axisymmetric model");
+    else
+        check_direction(values, along);
+    if (measure.along == model::Along::force_direction && word == "r")
+        throw values.refuse(along, "forces along r cancel around the circumference", "use axis, x or normal");
+    if (measure.solid_only && (model == "axisymmetric" || model == "plane-strain"))
+        throw values.refuse(output + ".measure", "a section has no such measure", "measure: bend, or model: solid");
+    if (measure.reaction && values.has("dynamics.duration") && values.text("dynamics.duration") != "none")
+        throw values.refuse(output + ".measure", "a reaction is measured on a static path",
+                            "leave out dynamics, or measure: displacement");
 }
 
 }  // namespace
@@ -161,16 +154,15 @@ void add_output_keys(Schema& schema, const Node& root, const Node& defaults) {
         schema.keys.push_back(is_point ? output_point_key(output.key) : output_face_key(output.key));
         schema.keys.push_back(output_measure_key(output.key));
         const bool bend = measure != nullptr && measure->text == "bend";
-        const bool axis_is_usual = measure == nullptr || measure->text == "displacement" || measure->text == "twist" ||
-                                   measure->text == "radial" || measure->text == "force";
+        const model::MeasureInfo* info = find_measure(measure == nullptr ? "displacement" : measure->text);
         if (bend) schema.keys.push_back(output_reference_key(output.key));
         if (const Member* reference = find_member(output.value, "reference"); reference != nullptr && !bend)
             refuse(reference->location, "outputs." + output.key + ".reference",
                    "only a bend is measured from another face", "leave it out, or write measure: bend");
         const Node* along = find_path(defaults, "outputs." + output.key + ".along");
-        schema.keys.push_back(output_along_key(output.key, !axis_is_usual     ? ""
-                                                           : along == nullptr ? "axis"
-                                                                              : along->text));
+        schema.keys.push_back(output_along_key(output.key, info == nullptr || !info->has_default_axis ? ""
+                                                           : along == nullptr                         ? "axis"
+                                                                                                      : along->text));
     }
 }
 
@@ -198,18 +190,15 @@ std::vector<Design::OutputRequest> outputs_of(std::span<const Item> items, const
         const std::string at_point = name_between(item.key.path, "outputs.", ".point");
         const std::string name = at_point.empty() ? name_between(item.key.path, "outputs.", ".face") : at_point;
         if (name.empty()) continue;
+        const model::MeasureInfo& measure = *find_measure(values.text("outputs." + name + ".measure"));
         Design::OutputRequest output{name,
                                      at_point.empty() ? single_face(item, faces, values) : "",
                                      values.text("outputs." + name + ".along"),
-                                     measure_of(values.text("outputs." + name + ".measure")),
+                                     measure.measure,
                                      {},
                                      {}};
         if (!at_point.empty()) output.point_m = point_of(item, values);
-        check_measure(values, "outputs." + name, output.measure);
-        if (model::is_reaction(output.measure) && values.has("dynamics.duration") &&
-            values.text("dynamics.duration") != "none")
-            throw values.refuse("outputs." + name + ".measure", "a reaction is measured on a static path",
-                                "leave out dynamics, or measure: displacement");
+        check_measure(values, "outputs." + name, measure);
         for (const Item& other : items)
             if (other.key.path == "outputs." + name + ".reference")
                 output.reference = single_face(other, faces, values);

@@ -1,6 +1,6 @@
 #pragma once
-/// The keys `time_function` (load over time) and `line` (supply line of a cavity) of a load in a dynamic design. `load` is the path of
-/// the load, "loads.cavity". Private to the module. Tested by design/dynamics_test.
+/// The keys `time_function` (load over time) of a load in a dynamic design. `load` is the path of the load, "loads.cavity". Private to
+/// the module. Tested by design/dynamics_test.
 #include <string>
 
 #include "design/collect.hpp"
@@ -11,12 +11,9 @@ namespace soft::design {
 
 /// Adds the keys of the time function. `written` is the group of the load. Rejects keys that the kind of time function does not have.
 void add_time_function_keys(Schema& schema, const std::string& load, const Node& written, Examples& examples);
-[[nodiscard]] Key line_key(const std::string& load);
 
 /// The time function of a load; the default if the schema has none. Rejects a table whose lists have different lengths or whose times
 /// are not ascending.
 [[nodiscard]] model::TimeFunction time_function_of(const Values& values, const std::string& load);
-/// The supply line of a load; nullopt for `none` and if the schema has no line for this load.
-[[nodiscard]] std::optional<model::SupplyLine> line_of(const Values& values, const std::string& load);
 
 }  // namespace soft::design

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 #include "core/error.hpp"
 #include "fit/nominal.hpp"
@@ -76,6 +77,7 @@ void add_stresses(const Candidate& candidate, const material::Constants& constan
     if (candidate.law == "gent") return add(material::Gent{c("mu"), c("jm")}, points, stress_Pa);
     if (candidate.law == "arruda-boyce")
         return add(material::ArrudaBoyce{c("mu"), c("locking_stretch")}, points, stress_Pa);
+    if (candidate.law != "ogden") throw std::logic_error("no stress of the law " + std::string{candidate.law});
     add(ogden_of(constants), points, stress_Pa);
 }
 

@@ -111,8 +111,7 @@ bool signs_suffice(const Fit& fit) {
     if (fit.candidate.name == "yeoh") return minimum({"c1", "c2", "c3"}) >= 0.0;
     if (fit.candidate.name == "yeoh-5") return minimum({"c1", "c2", "c3", "a"}) >= 0.0;
     if (fit.candidate.name == "mooney-rivlin-2") return minimum({"c10", "c01"}) >= 0.0;
-    if (fit.candidate.law == "mooney-rivlin") return false;
-    if (fit.candidate.law != "ogden") return true;  // a single positive modulus
+    if (fit.candidate.law != "ogden") return fit.candidate.linear == 1;  // a single positive modulus
     const std::vector<double>&mu = constants.at("mu"), &alpha = constants.at("alpha");
     for (std::size_t i = 0; i < mu.size(); ++i)
         if (mu[i] * alpha[i] < 0.0) return false;

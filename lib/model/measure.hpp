@@ -1,8 +1,9 @@
 #pragma once
 /// Quantities that outputs measure, and their units.
 /// Tested by fem/reaction_test, fem/face_shape_test, fem/loads_test.
+#include <algorithm>
 #include <array>
-#include <span>
+#include <numbers>
 #include <string_view>
 
 #include "core/units.hpp"
@@ -24,9 +25,6 @@ namespace soft::model {
 /// Force and moment are those of the whole actuator (plane strain: for a depth of 1 m).
 enum class Measure { displacement, bend, twist, radial, rotation, curvature, force, moment };
 
-inline constexpr std::array all_measures{Measure::displacement, Measure::bend,      Measure::twist, Measure::radial,
-                                         Measure::rotation,     Measure::curvature, Measure::force, Measure::moment};
-
 /// Units of a measure: SI in files, practical units in tables and messages.
 struct MeasureUnit {
     std::string_view SI;         ///< "m"
@@ -36,16 +34,99 @@ struct MeasureUnit {
     double SI_per_shown;
     core::Dimension dimension;
 };
-[[nodiscard]] const MeasureUnit& unit_of(Measure measure);
+inline constexpr MeasureUnit length_unit{"m", "m", "mm", "mm", 1e-3, core::Dimension::length},
+    angle_unit{"rad", "rad", "deg", "deg", std::numbers::pi / 180, core::Dimension::angle},
+    curvature_unit{"1/m", "per_m", "1/m", "per_m", 1, core::Dimension::curvature},
+    force_unit{"N", "N", "N", "N", 1, core::Dimension::force},
+    moment_unit{"N.m", "Nm", "N.mm", "Nmm", 1e-3, core::Dimension::moment};
 
-/// The name in designs and files: "bend".
-[[nodiscard]] std::string_view name_of(Measure measure);
-/// A short description for help texts: "mean displacement of a face along a direction".
-[[nodiscard]] std::string_view meaning_of(Measure measure);
+/// Meaning of the direction of an output.
+enum class Along {
+    direction,        ///< of a displacement
+    force_direction,  ///< not r, because the forces along r cancel around the circumference
+    axis,             ///< of a rotation or moment, not in axisymmetric models; in plane strain it is z
+    distance_axis,    ///< from which a distance is taken, not in plane strain
+};
+
+/// The words, the unit and the restrictions of a measure. Designs, files, columns, messages and docs/reference take them from here.
+struct MeasureInfo {
+    Measure measure;
+    std::string_view name;     ///< in designs and files: "bend"
+    std::string_view meaning;  ///< for help texts: "mean displacement of a face along a direction"
+    const MeasureUnit& unit;
+    Along along;
+    bool has_default_axis = false;  ///< whether `along` may be omitted
+    bool solid_only = false;        ///< not in sections
+    bool reaction = false;          ///< depends on the loads as well as on the state; static paths only
+};
+inline constexpr std::array measures{
+    MeasureInfo{.measure = Measure::displacement,
+                .name = "displacement",
+                .meaning = "mean displacement of a face along a direction",
+                .unit = length_unit,
+                .along = Along::direction,
+                .has_default_axis = true},
+    MeasureInfo{.measure = Measure::bend,
+                .name = "bend",
+                .meaning = "bending angle of a face relative to another face, about a direction",
+                .unit = angle_unit,
+                .along = Along::axis},
+    MeasureInfo{.measure = Measure::twist,
+                .name = "twist",
+                .meaning = "mean rotation of a face about an axis through the origin",
+                .unit = angle_unit,
+                .along = Along::axis,
+                .has_default_axis = true},
+    MeasureInfo{.measure = Measure::radial,
+                .name = "radial",
+                .meaning = "mean change of a face's distance from an axis through the origin",
+                .unit = length_unit,
+                .along = Along::distance_axis,
+                .has_default_axis = true},
+    MeasureInfo{.measure = Measure::rotation,
+                .name = "rotation",
+                .meaning = "component of the rotation vector of a face's mean rotation",
+                .unit = angle_unit,
+                .along = Along::axis,
+                .solid_only = true},
+    MeasureInfo{.measure = Measure::curvature,
+                .name = "curvature",
+                .meaning = "curvature of the best-fit circle of a face, projected along a direction",
+                .unit = curvature_unit,
+                .along = Along::axis,
+                .solid_only = true},
+    MeasureInfo{.measure = Measure::force,
+                .name = "force",
+                .meaning = "force of the actuator on its support or drive at a face",
+                .unit = force_unit,
+                .along = Along::force_direction,
+                .has_default_axis = true,
+                .reaction = true},
+    MeasureInfo{
+        .measure = Measure::moment,
+        .name = "moment",
+        .meaning = "moment of the actuator on its support or drive at a face, about an axis through its centroid",
+        .unit = moment_unit,
+        .along = Along::axis,
+        .reaction = true},
+};
+
+static_assert(std::ranges::is_sorted(measures, {}, &MeasureInfo::measure), "in the order of the enumeration");
+
+[[nodiscard]] constexpr const MeasureInfo& info_of(Measure measure) {
+    return measures.at(static_cast<std::size_t>(measure));
+}
+[[nodiscard]] constexpr const MeasureUnit& unit_of(Measure measure) { return info_of(measure).unit; }
+[[nodiscard]] constexpr std::string_view name_of(Measure measure) { return info_of(measure).name; }
 
 /// True for angles, which are continued beyond pi along a path.
-[[nodiscard]] bool is_angle(Measure measure);
-/// True for reaction forces and moments, which depend on the loads as well as on the state.
-[[nodiscard]] bool is_reaction(Measure measure);
+[[nodiscard]] constexpr bool is_angle(Measure measure) { return unit_of(measure).dimension == core::Dimension::angle; }
+[[nodiscard]] constexpr bool is_reaction(Measure measure) { return info_of(measure).reaction; }
+
+inline constexpr auto all_measures = [] {
+    std::array<Measure, measures.size()> all{};
+    std::ranges::transform(measures, all.begin(), &MeasureInfo::measure);
+    return all;
+}();
 
 }  // namespace soft::model

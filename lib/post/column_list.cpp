@@ -18,8 +18,8 @@ std::vector<Column> all_columns() {
     };
     model::Case model;
     model::Step step;
-    for (const model::Measure measure : model::all_measures) {
-        model.outputs.push_back({std::string{"<"}.append(model::name_of(measure)).append(">"), "<face>", {}, measure});
+    for (const model::MeasureInfo& info : model::measures) {
+        model.outputs.push_back({std::string{"<"}.append(info.name).append(">"), "<face>", {}, info.measure});
         step.outputs.push_back(0);
         step.output_errors.push_back(0);
     }

@@ -154,7 +154,8 @@ ListColumns output_columns(const model::Case& model) {
         const model::Output& output = model.outputs[i];
         list.columns.push_back(coordinate(
             output.name, column_unit(output.measure), Source::output,
-            std::string{model::meaning_of(output.measure)} + ": " + (output.point_m ? "a point" : output.face), i));
+            std::string{model::info_of(output.measure).meaning} + ": " + (output.point_m ? "a point" : output.face),
+            i));
     }
     return list;
 }
