@@ -36,13 +36,19 @@ struct Library {
 struct Example {
     std::string_view command, meaning;
 };
+/// Meaning of an exit code that only some programs return.
+struct OwnExitCode {
+    ExitCode code;
+    std::string_view meaning;
+};
 
 /// Description of a tool for --help, --version and --man.
 struct About {
-    std::string_view tool;                ///< "mesh-gen"
-    std::string_view summary;             ///< one line
-    std::vector<Example> examples;        ///< two
-    std::vector<Library> (*libraries)();  ///< names and versions in use at run time
+    std::string_view tool;                     ///< "mesh-gen"
+    std::string_view summary;                  ///< one line
+    std::vector<Example> examples;             ///< two
+    std::vector<Library> (*libraries)();       ///< names and versions in use at run time
+    std::vector<OwnExitCode> exit_codes = {};  ///< in addition to those of all programs
 };
 
 enum class Verbosity { quiet, normal, verbose };

@@ -150,7 +150,7 @@ std::vector<double> frame_parameters(const post::Path& path, const PictureInput&
     return parameters;
 }
 
-/// Rejects options that do not apply to the body. A plane-strain body is drawn only from the front.
+/// Rejects options that do not apply to the model. A plane-strain model is drawn only from the front.
 void check_body(const PictureOptions& options, const model::Case& model) {
     if (options.section && model.kinematics == model::Kinematics::solid)
         throw Error(ExitCode::usage, "--section", "the model is not axisymmetric and has no such section",
@@ -158,7 +158,7 @@ void check_body(const PictureOptions& options, const model::Case& model) {
     if (options.view.empty() || model.kinematics != model::Kinematics::plane_strain) return;
     const view::Camera camera = view::camera_from_text(options.view), front = view::camera_from_text("front");
     if (camera.azimuth_deg != front.azimuth_deg || camera.elevation_deg != front.elevation_deg)
-        throw Error(ExitCode::usage, "--view", "a plane-strain body is drawn only from the front", "omit --view");
+        throw Error(ExitCode::usage, "--view", "a plane-strain model is drawn only from the front", "omit --view");
 }
 
 /// Draws pictures of one result; computes what all steps share only once.
@@ -297,14 +297,14 @@ io::FieldReader::Values stored_fields(const io::Result& result, std::int64_t row
 
 void add_picture_options(CLI::App& app, PictureOptions& options) {
     app.add_option("--picture", options.picture,
-                   "Draw the deformed body in colour at the last step, or at the stored step nearest "
+                   "Draw the deformed actuator in colour at the last step, or at the stored step nearest "
                    "to each value of --at (FILE-1.png ... if several); needs gnuplot, no display")
         ->type_name("FILE.png");
     app.add_option(
            "--animate", options.animate,
            "Write a film with evenly spaced loads (needs ffmpeg), or a folder with a picture of every stored step")
         ->type_name("FILE.gif|FILE.mp4|FOLDER/");
-    app.add_option("--field", options.field, "Field shown by the colours of the body: " + field_names())
+    app.add_option("--field", options.field, "Field shown by the colours of the actuator: " + field_names())
         ->type_name("FIELD")
         ->capture_default_str();
     app.add_option(
@@ -316,7 +316,7 @@ void add_picture_options(CLI::App& app, PictureOptions& options) {
                    "Values at the ends of the colour bar, e.g. 0kPa,200kPa; default: the range of "
                    "the picture or film")
         ->type_name("LOW,HIGH");
-    app.add_flag("--section", options.section, "Draw the section of an axisymmetric body");
+    app.add_flag("--section", options.section, "Draw the section of an axisymmetric actuator");
     app.add_flag("--whole", options.whole, "Draw the whole actuator: fully revolved, mirrored at its symmetry planes");
     app.add_option(
            "--paraview", options.paraview,
@@ -327,7 +327,7 @@ void add_picture_options(CLI::App& app, PictureOptions& options) {
 
 const std::string& pictures_help() {
     static const std::string help =
-        "Pictures show the deformed body, its undeformed outline, a scale bar and a colour bar. To show the inside, axisymmetric\n"
+        "Pictures show the deformed actuator, its undeformed outline, a scale bar and a colour bar. To show the inside, axisymmetric\n"
         "and quarter models are drawn without the quarter between +y and +z, half models without y > 0. front looks along -z with\n"
         "x to the right and y up, side along the axis, top from above. Fields: stretch (largest principal stretch), von-mises,\n"
         "pressure (in the rubber, positive in compression), displacement, energy (per undeformed volume), J (current over undeformed\n"
@@ -365,7 +365,7 @@ void make_pictures(const PictureOptions& options, const PictureInput& shown, cli
     if (!options.paraview.empty()) write_paraview(options.paraview, shown, console);
     if (options.picture.empty() && options.animate.empty()) return;
     const PictureRenderer studio(options, shown);
-    console.detail("the body's surface has " + std::to_string(studio.polygons()) + " polygons");
+    console.detail("the surface has " + std::to_string(studio.polygons()) + " polygons");
     if (!options.picture.empty()) draw_pictures(options.picture, studio, shown, console);
     if (options.animate.empty()) return;
     studio.animate(options.animate, console);

@@ -31,10 +31,13 @@ std::vector<cli::Library> libraries() {
 const cli::About about{
     .tool = "sweep-plan",
     .summary = "lists the designs of a sweep (YAML), one row each (CSV); with --results their results",
-    .examples = {{"sweep-plan designs/sweeps/tube.yaml", "Lists the designs with their values and addresses"},
+    .examples = {{"sweep-plan designs/sweeps/tube.yaml", "Lists the designs with their values and IDs"},
                  {"sweep-plan designs/sweeps/tube.yaml --folder results/sweeps/tube -o plan.csv",
                   "Also marks those that scripts/sweep has computed in this folder"}},
-    .libraries = libraries};
+    .libraries = libraries,
+    .exit_codes = {{ExitCode::stopped_early,
+                    "--results: some designs are not computed, or failed for a reason outside the design (killed, disk "
+                    "full)"}}};
 
 struct SweepPlanOptions {
     cli::CommonOptions common;
@@ -51,14 +54,14 @@ std::optional<SweepPlanOptions> parse_sweep_plan_options(int argc, char** argv) 
     folder->type_name("FOLDER");
     app.add_flag("--prepare", options.prepare, "Also write the waiting designs as FOLDER/designs/ID.yaml")
         ->needs(folder);
-    app.add_option("--waiting", options.waiting, "Also write the addresses of the waiting designs, one per line")
+    app.add_option("--waiting", options.waiting, "Also write the IDs of the waiting designs, one per line")
         ->type_name("FILE");
     app.add_flag("--results", options.results,
                  "Print the results of the designs in FOLDER instead of the plan, and write the "
-                 "curve of each next to its result; exit code 2: some are not computed, or "
-                 "failed for external reasons")
+                 "curve of each next to its result")
         ->needs(folder);
-    app.add_option("--programs", options.programs, "File with the versions of the programs, which enter the addresses")
+    app.add_option("--programs", options.programs,
+                   "File with the versions of the programs, which are part of the hash ID")
         ->type_name("FILE");
     cli::add_common_options(app, options.common, about);
     if (!cli::parse(app, about, options.common, argc, argv)) return std::nullopt;

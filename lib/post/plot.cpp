@@ -134,8 +134,8 @@ std::string heading(const Curve& curve, const PlotAxes& axes, const PlotRequest&
            (axes.colour ? std::string{path_palette} +
                               ("set cblabel " + axis_label(curve, curve.columns[*axes.colour]) + " noenhanced\n")
                         : std::string{}) +
-           "set key outside top center horizontal reverse Left samplen 3 noenhanced" +
-           (request.title.empty() ? "" : " title " + gnuplot_text(request.title)) + "\n" +
+           "set key outside top center horizontal reverse Left samplen 3 noenhanced\n" +
+           (request.title.empty() ? "" : "set title " + gnuplot_text(request.title) + " noenhanced\n") +
            "set offsets graph 0, graph 0.03, graph 0.08, 0\n";
 }
 
@@ -170,20 +170,20 @@ void add_path(Script& script, const Blocks& blocks, const PlotAxes& axes, std::s
     legend.bifurcations |= !blocks.bifurcations.empty();
 }
 
-void add_legend(Script& script, std::span<const PlotSeries> series, const LegendEntries& legend) {
+/// A path whose colour shows a quantity has no colour of its own: the legend shows only its markers.
+void add_legend(Script& script, std::span<const PlotSeries> series, const PlotAxes& axes, const LegendEntries& legend) {
+    const std::string shown = axes.colour ? "with points " : "with linespoints ";
     const auto sign = [&](std::size_t i) {
         const Style style = styles[i % styles.size()];
         return script.points(style.point, 1.5) + " linewidth 2 linecolor rgb '" + style.colour + "'";
     };
     if (series.size() == 1)
-        script.legend("with linespoints " + sign(0), is_motion(series[0].curve) ? "'motion'" : "'converged steps'");
+        script.legend(shown + sign(0), is_motion(series[0].curve) ? "'motion'" : "'converged steps'");
     else
-        for (std::size_t i = 0; i < series.size(); ++i)
-            script.legend("with linespoints " + sign(i), gnuplot_text(series[i].label));
+        for (std::size_t i = 0; i < series.size(); ++i) script.legend(shown + sign(i), gnuplot_text(series[i].label));
     if (legend.unstable) script.legend("with lines linewidth 2 dashtype (8,6) linecolor rgb '#404040'", "'unstable'");
     if (legend.band) script.legend(filled + std::string{" linecolor rgb '#0072B2'"}, "'mesh error'");
-    if (legend.constants)
-        script.legend(filled + std::string{" linecolor rgb '#E69F00'"}, "'one standard deviation of the constants'");
+    if (legend.constants) script.legend(filled + std::string{" linecolor rgb '#E69F00'"}, "'±1 standard deviation'");
     if (legend.limits)
         script.legend("with points " + script.points(9, 2.2) + " linecolor rgb '#b00000'", "'limit point'");
     if (legend.bifurcations)
@@ -239,7 +239,7 @@ std::string plot_script(std::span<const PlotSeries> series, const Measured* meas
     const std::string crosses = "with points " + script.points(2, 1.5) + " linewidth 1.5 linecolor rgb '#000000'";
     const std::string points = measured != nullptr ? point_block(*measured, axes) : "";
     script.add("measured", points, crosses + " notitle");
-    add_legend(script, series, legend);
+    add_legend(script, series, axes, legend);
     if (!points.empty()) script.legend(crosses, "'measured'");
     return script.text();
 }

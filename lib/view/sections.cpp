@@ -78,16 +78,16 @@ std::string curve_section(const Content& content) {
 
 std::string body_section(const Scene& scene) {
     if (scene.json.empty())
-        return "<h2>Body</h2>\n" +
+        return "<h2>Actuator</h2>\n" +
                paragraph("This result contains no fields; run solve with --fields all to store them.");
     const std::string left_out =
         scene.frames == scene.stored
             ? ""
             : paragraph(std::to_string(scene.frames) + " of " + std::to_string(scene.stored) +
                         " stored steps are shown to keep this page small enough for a browser.");
-    return R"(<h2>Body</h2>
+    return R"(<h2>Actuator</h2>
 <p>Drag to rotate, scroll to zoom, drag with the right button to pan.</p>
-<canvas id='body' aria-label='the deformed body'></canvas>
+<canvas id='body' aria-label='the deformed actuator'></canvas>
 <p id='viewer-error' hidden></p>
 <div class='controls'>
 <label class='wide'>Step <input id='frame' type='range' min='0' step='1' value='0'></label>
