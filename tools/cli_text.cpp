@@ -97,13 +97,6 @@ std::string escaped(std::string_view text, std::string_view special) {
     return result;
 }
 
-/// 'text', with `quote` for each single quote in it.
-std::string quoted(std::string_view text, std::string_view quote) {
-    std::string result = "'";
-    for (const char c : text) result.append(c == '\'' ? quote : std::string_view{&c, 1});
-    return result + "'";
-}
-
 }  // namespace
 
 std::string_view version() noexcept { return SOFT_VERSION; }
@@ -190,9 +183,9 @@ std::string zsh_completion(const CLI::App& app, const About& about) {
         // '(-o --output)' excludes the option once it is given; = allows --output=FILE and --output FILE.
         const std::string given = option.is_repeatable ? "*" : "(" + core::join(option.names, " ") + ")";
         for (const std::string& name : option.names)
-            script +=
-                " \\\n  " +
-                quoted(given + name + (!option.value.empty() && name.starts_with("--") ? "=" : "") + rest, "'\\''");
+            script += " \\\n  " +
+                      core::single_quoted(
+                          given + name + (!option.value.empty() && name.starts_with("--") ? "=" : "") + rest, "'\\''");
     }
     return script + " \\\n  '*:file:_files'\n";
 }
@@ -206,8 +199,8 @@ std::string fish_completion(const CLI::App& app, const About& about) {
         if (option.is_file)
             script += " -r -F";
         else if (!option.value.empty())
-            script += " -x -a " + quoted(option.words, "\\'");
-        script += " -d " + quoted(escaped(option.help, "\\"), "\\'") + "\n";
+            script += " -x -a " + core::single_quoted(option.words, "\\'");
+        script += " -d " + core::single_quoted(escaped(option.help, "\\"), "\\'") + "\n";
     }
     return script;
 }

@@ -255,8 +255,7 @@ std::optional<FitOptions> parse_fit_options(int argc, char** argv) {
     apply(words, options);
     std::vector<NamedFile> inputs;
     for (const TestFile& file : options.files) inputs.push_back({"TEST.csv", file.name});
-    check_distinct(inputs,
-                   {{"--output", options.common.output}, {"--json", options.common.json}, {"--plot", options.plot}});
+    check_distinct(inputs, options.common, {{"--plot", options.plot}});
     return options;
 }
 

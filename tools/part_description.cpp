@@ -28,12 +28,6 @@ std::string lengths(const Point& p) {
     return "[" + number(mm * p[0]) + " mm, " + number(mm * p[1]) + " mm, " + number(mm * p[2]) + " mm]";
 }
 
-std::string quoted_yaml(const std::string& word) {
-    std::string text{"'"};
-    for (const char c : word) text.append(c == '\'' ? 2 : 1, c);
-    return text + "'";
-}
-
 std::string area_text(double area_m2) { return number(mm * mm * area_m2, 4) + " mm^2"; }
 
 /// "x", "-y" or "[0.6, 0.8, 0]".
@@ -247,7 +241,7 @@ std::string description_yaml(const PartDescription& part) {
             "# no closed cavity; for an open one use cavity: {point: [x, y, z] on its wall, up_to: face around its "
             "opening}\n";
     for (const std::string& repair : part.surface.repairs) text += "# repaired: " + repair + "\n";
-    text += "family: imported\ngeometry:\n  file: " + quoted_yaml(part.file) + "\n";
+    text += "family: imported\ngeometry:\n  file: " + core::single_quoted(part.file) + "\n";
     if (!part.unit.empty()) text += "  unit: " + part.unit + "\n";
     if (std::ranges::any_of(part.faces, [](const PartFace& face) { return face.rule.has_value(); }))
         text += "  faces:\n";

@@ -108,15 +108,15 @@ void check_files(const PostprocessOptions& options) {
                                           {"--check", options.check.file},
                                           {"--band", options.plot.band}};
     for (const std::string& other : options.plot.with) inputs.push_back({"--with", other.substr(0, other.rfind(':'))});
-    const std::vector<cli::NamedFile> outputs = {{"--output", options.wants_table ? options.common.output : ""},
-                                                 {"--json", options.common.json},
-                                                 {"--plot", options.plot.file},
-                                                 {"--picture", options.pictures.picture},
-                                                 {"--animate", options.pictures.animate},
-                                                 {"--paraview", options.pictures.paraview},
-                                                 {"--report", options.report},
-                                                 {"--junit", options.check.junit}};
-    cli::check_distinct(inputs, outputs);
+    cli::CommonOptions written = options.common;
+    if (!options.wants_table) written.output.clear();
+    cli::check_distinct(inputs, written,
+                        {{"--plot", options.plot.file},
+                         {"--picture", options.pictures.picture},
+                         {"--animate", options.pictures.animate},
+                         {"--paraview", options.pictures.paraview},
+                         {"--report", options.report},
+                         {"--junit", options.check.junit}});
     if (!options.report.empty() && !options.report.ends_with(".html") && !options.report.ends_with(".htm"))
         throw Error(ExitCode::usage, "--report " + options.report, "a report is an HTML file; use the extension .html");
 }

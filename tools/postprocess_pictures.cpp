@@ -88,13 +88,8 @@ view::SkinOptions skin_options(const PictureOptions& options) {
 bool is_in_title(const post::Curve& curve, const post::Column& column) {
     if (column.quantity == "step" || column.source == post::Source::time || column.source == post::Source::output)
         return true;
-    const auto first = [&](post::Source source) {
-        return &*std::ranges::find(curve.columns, source, &post::Column::source) == &column;
-    };
-    const bool measures =
-        std::ranges::any_of(curve.columns, [](const post::Column& c) { return c.source == post::Source::output; });
-    return (column.source == post::Source::load && first(post::Source::load)) ||
-           (column.source == post::Source::volume && !measures && first(post::Source::volume));
+    return &column == curve.find(post::Source::load) ||
+           (curve.find(post::Source::output) == nullptr && &column == curve.find(post::Source::volume));
 }
 
 /// "step 12", "pressure 40 kPa", "elongation 31.7 mm"; `values`: one per column; `with_step`: false between steps.
@@ -106,7 +101,7 @@ std::vector<std::string> state_words(const post::Curve& curve, std::span<const d
         if (column.quantity == "step" && !with_step) continue;
         std::string words = column.quantity;
         std::ranges::replace(words, '_', ' ');
-        all.push_back(words + " " + core::rounded_text(values[i], 4) + (column.unit.empty() ? "" : " " + column.unit));
+        all.push_back(words + " " + post::value_text(column, values[i]));
     }
     return all;
 }
@@ -127,9 +122,8 @@ std::vector<double> frame_parameters(const post::Path& path, const PictureInput&
     constexpr std::size_t min_frames = 36, max_frames = 400;
     const std::size_t count = std::clamp(shown.result.fields.steps().size(), min_frames, max_frames);
     const post::Curve& curve = shown.curve;
-    const auto load = std::ranges::find(curve.columns, post::Source::load, &post::Column::source);
-    const bool moves =
-        std::ranges::any_of(curve.columns, [](const post::Column& c) { return c.source == post::Source::time; });
+    const post::Column* load = curve.find(post::Source::load);
+    const bool moves = curve.find(post::Source::time) != nullptr;
     std::vector<double> loads;
     for (const std::size_t row : path.rows()) loads.push_back(load->values[row]);
     const double sign = loads.back() < loads.front() ? -1 : 1;
@@ -142,7 +136,7 @@ std::vector<double> frame_parameters(const post::Path& path, const PictureInput&
         double s = share * path.length();
         if (grows && k > 0 && k + 1 < count) {
             const double value = sign * (loads.front() + share * (loads.back() - loads.front()));
-            const auto found = path.crossings(static_cast<std::size_t>(load - curve.columns.begin()), value);
+            const auto found = path.crossings(curve.index_of(*load), value);
             if (!found.empty()) s = found.front();
         }
         parameters.push_back(s);

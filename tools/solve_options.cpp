@@ -89,8 +89,7 @@ std::optional<SolveOptions> parse_solve_options(int argc, char** argv) {
     add_common_options(app, options.common, about);
     if (!parse(app, about, options.common, argc, argv)) return std::nullopt;
     static_cast<void>(io::parse_fields_policy(options.fields));  // before any work
-    check_distinct({{"CASE", options.input}, {"--resume", options.resume}},
-                   {{"--output", options.common.output}, {"--json", options.common.json}});
+    check_distinct({{"CASE", options.input}, {"--resume", options.resume}}, options.common);
     if (app.count("--tolerance") > 0) options.tolerance = parse_tolerance(tolerance);
     check(app, options);
     return options;

@@ -66,17 +66,16 @@ std::optional<SweepPlanOptions> parse_sweep_plan_options(int argc, char** argv) 
     cli::add_common_options(app, options.common, about);
     if (!cli::parse(app, about, options.common, argc, argv)) return std::nullopt;
     cli::require_at_most_one(app, std::vector<std::string>{"--prepare", "--results"});
-    cli::check_distinct(
-        {{"SWEEP", options.input}, {"--programs", options.programs}},
-        {{"--output", options.common.output}, {"--json", options.common.json}, {"--waiting", options.waiting}});
+    cli::check_distinct({{"SWEEP", options.input}, {"--programs", options.programs}}, options.common,
+                        {{"--waiting", options.waiting}});
     return options;
 }
 
 /// Prints "1000 designs: 990 done, 10 refused", and writes the same as JSON.
 void print_summary(const SweepPlanOptions& options, std::size_t designs,
                    const std::vector<std::pair<std::string, std::ptrdiff_t>>& counts) {
-    nlohmann::ordered_json json = {
-        {"tool", about.tool}, {"version", cli::version()}, {"revision", cli::revision()}, {"designs", designs}};
+    nlohmann::ordered_json json = cli::summary_head(about.tool);
+    json["designs"] = designs;
     std::vector<std::string> words;
     for (const auto& [word, count] : counts) {
         json[word] = count;
@@ -85,8 +84,7 @@ void print_summary(const SweepPlanOptions& options, std::size_t designs,
         words.push_back(std::move(text));
     }
     if (!options.prepare)
-        cli::Console{about.tool, options.common.verbosity}.say(core::counted(designs, "design") + ": " +
-                                                               core::join(words));
+        cli::Console{about, options.common}.say(core::counted(designs, "design") + ": " + core::join(words));
     if (!options.common.json.empty()) cli::write_json(options.common.json, json);
 }
 
@@ -151,9 +149,8 @@ ExitCode write_plan(const SweepPlanOptions& options, const sweep::Sweep& sweep, 
     cli::write_output(options.common.output, sweep::plan_csv(sweep, plan, states));
     const auto count = [&](sweep::State state) { return std::ranges::count(states, state); };
     if (options.prepare)
-        cli::Console{about.tool, options.common.verbosity}.say(core::counted(states.size(), "design") + ", " +
-                                                               std::to_string(waiting.size()) + " to compute in " +
-                                                               options.folder);
+        cli::Console{about, options.common}.say(core::counted(states.size(), "design") + ", " +
+                                                std::to_string(waiting.size()) + " to compute in " + options.folder);
     print_summary(options, states.size(),
                   {{"waiting", count(sweep::State::waiting)},
                    {"done", count(sweep::State::done)},

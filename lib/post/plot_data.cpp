@@ -57,10 +57,6 @@ void sample_line(const PlotSeries& series, const Path& path, const PlotAxes& axe
 /// The column with the half width of the error; nullptr if there is none.
 const Column* error_of(const Curve& curve, const Column& column) { return curve.find(column.quantity + "_error"); }
 
-std::size_t index_of(const Curve& curve, const Column& column) {
-    return static_cast<std::size_t>(&column - curve.columns.data());
-}
-
 /// Closed outline: the path shifted by +error, then in reverse order by -error; along the ordinate if its error is known, else along the
 /// abscissa.
 std::string band_outline(const Curve& curve, const Path& path, const PlotAxes& axes,
@@ -68,7 +64,7 @@ std::string band_outline(const Curve& curve, const Path& path, const PlotAxes& a
     const Column* up = error_of(curve, curve.columns[axes.y]);
     const Column* across = error_of(curve, curve.columns[axes.x]);
     if (up == nullptr && across == nullptr) return {};
-    const std::size_t error = index_of(curve, up != nullptr ? *up : *across);
+    const std::size_t error = curve.index_of(up != nullptr ? *up : *across);
     const auto s = path.row_parameters();
     std::string there;
     std::vector<std::string> back;
@@ -145,11 +141,10 @@ void check_band_point(const BandPoint& point, const Curve& curve, const Path& pa
         if (std::abs(state[axis] - value) <=
             max_distance * std::abs(std::ranges::max(column.values, {}, [](double v) { return std::abs(v); })))
             continue;
-        const auto text = [&](double number) { return core::rounded_text(number, 4) + " " + column.unit; };
-        throw Error(
-            ExitCode::bad_input, "--band",
-            "the table has " + column.quantity + " " + text(value) + " where the curve has " + text(state[axis]),
-            "give the table of a result with the material of the fit");
+        throw Error(ExitCode::bad_input, "--band",
+                    "the table has " + column.quantity + " " + value_text(column, value) + " where the curve has " +
+                        value_text(column, state[axis]),
+                    "give the table of a result with the material of the fit");
     }
 }
 
@@ -186,7 +181,7 @@ void add_labelled(const Column& x, const Column& y, const model::LimitPoint& at,
                   std::vector<PlotLabel>& labels) {
     const auto along = value_at(x, at), up = value_at(y, at);
     if (!along || !up) return;
-    const std::string text = core::rounded_text(*up, 4) + (y.unit.empty() ? "" : " " + y.unit);
+    const std::string text = value_text(y, *up);
     block += core::number_text(*along) + " " + core::number_text(*up) + " \"" + text + "\"\n";
     labels.push_back({*along, *up, text});
 }
