@@ -1,11 +1,13 @@
 """Shared by the Python scripts of this folder: command line, messages and the programs of the build."""
 import csv
 import os
+import re
 import resource
 import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 from types import SimpleNamespace
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -69,6 +71,27 @@ def run(*command, ok=(0,), **options):
     if done.returncode not in ok:
         sys.exit(exit_code(done))
     return done
+
+
+def run_renamed(*command):
+    """As run, but prints the messages of the program under the name of this script."""
+    done = subprocess.run(command, stderr=subprocess.PIPE)
+    sys.stderr.buffer.write(re.sub(rb"(?m)^%s: " % command[0].encode(), f"{NAME}: ".encode(), done.stderr))
+    sys.stderr.flush()
+    if done.returncode != 0:
+        sys.exit(exit_code(done))
+
+
+def run_in_scratch(main):
+    """Ends with the exit code of main(scratch folder); removes the folder also after Ctrl-C and kill."""
+    signal.signal(signal.SIGTERM, lambda number, _: sys.exit(128 + number))
+    try:
+        with tempfile.TemporaryDirectory() as scratch:
+            sys.exit(main(scratch))
+    except KeyboardInterrupt:
+        sys.exit(130)
+    except OSError as error:
+        fail(73, f"{error.filename or 'output'}: {error.strerror}")
 
 
 def exit_code(done):

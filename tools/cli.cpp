@@ -92,9 +92,14 @@ bool has_option(int argc, char** argv, std::string_view name) {
     return false;
 }
 
+/// "mesh-gen 0.1.0 (revision)"
+std::string version_text(const About& about) {
+    return std::string{about.tool}.append(" ").append(version()).append(" (").append(revision()).append(")");
+}
+
 void print_version(const About& about, bool as_json) {
-    nlohmann::ordered_json json = {{"tool", about.tool}, {"version", version()}, {"revision", revision()}};
-    std::string text = std::string{about.tool} + " " + std::string{version()} + " (" + std::string{revision()} + ")\n";
+    nlohmann::ordered_json json = summary_head(about.tool);
+    std::string text = version_text(about) + "\n";
     for (const Library& library : about.libraries()) {
         json["libraries"][library.name] = library.version;
         text += library.name + " " + library.version + "\n";
@@ -152,8 +157,9 @@ void require_at_most_one(const CLI::App& app, std::span<const std::string> optio
         throw Error(ExitCode::usage, "", core::join(options, " and ") + " exclude each other", "use one of them");
 }
 
-void check_distinct(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {
+void check_distinct(const std::vector<NamedFile>& inputs, const CommonOptions& common, std::vector<NamedFile> outputs) {
     namespace fs = std::filesystem;
+    outputs.insert(outputs.begin(), {{"--output", common.output}, {"--json", common.json}});
     const auto is_same = [](const std::string& a, const std::string& b) {
         std::error_code failed;  // set if a file does not exist yet; then the names are compared
         if (fs::exists(a, failed) && !fs::is_regular_file(a, failed))
@@ -223,6 +229,14 @@ std::vector<std::string> take_library_options(int& argc, char** argv) {
     return {};
 }
 
+std::string stamp(const About& about, const CommonOptions& common) {
+    return version_text(about) + ": " + common.command_line;
+}
+
+nlohmann::ordered_json summary_head(std::string_view tool) {
+    return {{"tool", tool}, {"version", version()}, {"revision", revision()}};
+}
+
 std::vector<std::string> library_lines(const About& about) {
     std::vector<std::string> lines;
     for (const Library& library : about.libraries()) lines.push_back(library.name + " " + library.version);
@@ -230,19 +244,9 @@ std::vector<std::string> library_lines(const About& about) {
 }
 
 std::string command_line_of(const std::vector<std::string>& words) {
-    std::string line;
-    for (const std::string& word : words) {
-        if (!line.empty()) line += ' ';
-        const bool plain = !word.empty() && word.find_first_of(" \t\n\"'\\$`*?[]{}()<>|&;#~!") == std::string::npos;
-        if (plain) {
-            line += word;
-            continue;
-        }
-        line += '\'';
-        for (const char c : word) line += c == '\'' ? std::string{"'\\''"} : std::string{c};
-        line += '\'';
-    }
-    return line;
+    std::vector<std::string> quoted;
+    for (const std::string& word : words) quoted.push_back(core::shell_quoted(word));
+    return core::join(quoted, " ");
 }
 
 ExitCode report_errors(std::string_view tool, std::string_view command_line, const std::function<ExitCode()>& body) {

@@ -36,13 +36,19 @@ struct Library {
 struct Example {
     std::string_view command, meaning;
 };
+/// Meaning of an exit code that only some programs return.
+struct OwnExitCode {
+    ExitCode code;
+    std::string_view meaning;
+};
 
 /// Description of a tool for --help, --version and --man.
 struct About {
-    std::string_view tool;                ///< "mesh-gen"
-    std::string_view summary;             ///< one line
-    std::vector<Example> examples;        ///< two
-    std::vector<Library> (*libraries)();  ///< names and versions in use at run time
+    std::string_view tool;                     ///< "mesh-gen"
+    std::string_view summary;                  ///< one line
+    std::vector<Example> examples;             ///< two
+    std::vector<Library> (*libraries)();       ///< names and versions in use at run time
+    std::vector<OwnExitCode> exit_codes = {};  ///< in addition to those of all programs
 };
 
 enum class Verbosity { quiet, normal, verbose };
@@ -69,8 +75,10 @@ void require_at_most_one(const CLI::App& app, std::span<const std::string> optio
 struct NamedFile {
     std::string option, file;  ///< file: "" means none, "-" means stdin or stdout
 };
-/// Throws Error(usage) if an output would overwrite an input or another output, or if two outputs go to stdout. Call before any work.
-void check_distinct(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
+/// Throws Error(usage) if an output (--output, --json or one of `outputs`) would overwrite an input or another output, or if two outputs
+/// go to stdout. Call before any work.
+void check_distinct(const std::vector<NamedFile>& inputs, const CommonOptions& common,
+                    std::vector<NamedFile> outputs = {});
 
 /// True: the options are set. False: help, version, completion or man page was printed and the tool ends. Throws Error(usage);
 /// for an unknown option the error suggests the most similar one.
@@ -82,6 +90,10 @@ void check_distinct(const std::vector<NamedFile>& inputs, const std::vector<Name
 /// Version of this software and git revision of its source ("-dirty" if modified, "unknown" outside a clone).
 [[nodiscard]] std::string_view version() noexcept;
 [[nodiscard]] std::string_view revision() noexcept;
+/// "mesh-gen 0.1.0 (revision): command line", for comments and reports.
+[[nodiscard]] std::string stamp(const About& about, const CommonOptions& common);
+/// Tool, version and revision, with which every --json summary begins.
+[[nodiscard]] nlohmann::ordered_json summary_head(std::string_view tool);
 /// "gmsh 4.8.4", one entry per library, for the provenance.
 [[nodiscard]] std::vector<std::string> library_lines(const About& about);
 
@@ -163,6 +175,7 @@ private:
 class Console {
 public:
     Console(std::string_view tool, Verbosity verbosity);
+    Console(const About& about, const CommonOptions& common) : Console(about.tool, common.verbosity) {}
     ~Console();
     Console(const Console&) = delete;
     Console& operator=(const Console&) = delete;

@@ -2,32 +2,23 @@
 
 #include <CLI/CLI.hpp>
 
-#include <array>
-
 #include "core/text.hpp"
 #include "revision.hpp"  // generated at every build
 
 namespace soft::cli {
 namespace {
 
-struct CodeMeaning {
-    ExitCode code;
-    std::string_view meaning;
-};
-constexpr std::array exit_codes = {
-    CodeMeaning{ExitCode::ok, "success"},
-    CodeMeaning{
-        ExitCode::check_failed,
-        "a comparison or regression check failed, or the result exceeds its tolerance or violates the energy balance"},
-    CodeMeaning{ExitCode::stopped_early,
-                "the path ended early for a physical or numerical reason; the converged steps are in the file"},
-    CodeMeaning{ExitCode::usage, "usage error: unknown option or invalid combination"},
-    CodeMeaning{ExitCode::bad_input, "invalid input; the message names its location"},
-    CodeMeaning{ExitCode::cannot_open, "an input cannot be opened"},
-    CodeMeaning{ExitCode::internal, "internal error (a bug)"},
-    CodeMeaning{ExitCode::cannot_create, "an output cannot be created"},
-    CodeMeaning{ExitCode::io_error, "I/O error (disk full, short read)"},
-};
+std::vector<OwnExitCode> exit_codes(const About& about) {
+    std::vector<OwnExitCode> codes = about.exit_codes;
+    codes.insert(codes.begin(), {ExitCode::ok, "success"});
+    codes.insert(codes.end(), {{ExitCode::usage, "usage error: unknown option or invalid combination"},
+                               {ExitCode::bad_input, "invalid input; the message names its location"},
+                               {ExitCode::cannot_open, "an input cannot be opened"},
+                               {ExitCode::internal, "internal error (a bug)"},
+                               {ExitCode::cannot_create, "an output cannot be created"},
+                               {ExitCode::io_error, "I/O error (disk full, short read)"}});
+    return codes;
+}
 
 /// Escapes text for roff: backslashes, hyphens (so that options can be copied) and leading dots and apostrophes (requests).
 std::string roff(std::string_view text) {
@@ -106,13 +97,6 @@ std::string escaped(std::string_view text, std::string_view special) {
     return result;
 }
 
-/// 'text', with `quote` for each single quote in it.
-std::string quoted(std::string_view text, std::string_view quote) {
-    std::string result = "'";
-    for (const char c : text) result.append(c == '\'' ? quote : std::string_view{&c, 1});
-    return result + "'";
-}
-
 }  // namespace
 
 std::string_view version() noexcept { return SOFT_VERSION; }
@@ -123,7 +107,7 @@ std::string help_footer(const About& about) {
     for (const Example& example : about.examples)
         text.append("  ").append(example.command).append("\n      ").append(example.meaning).append("\n");
     text += "\nExit codes:\n";
-    for (const auto& [code, meaning] : exit_codes) {
+    for (const auto& [code, meaning] : exit_codes(about)) {
         const std::string number = std::to_string(static_cast<int>(code));
         text.append("  ").append(number).append(4 - number.size(), ' ').append(meaning).append("\n");
     }
@@ -151,7 +135,7 @@ std::string man_page(const CLI::App& app, const About& about) {
             page += ".br\nDefault: " + roff(value) + ".\n";
     }
     page += ".SH EXIT STATUS\n";
-    for (const auto& [code, meaning] : exit_codes)
+    for (const auto& [code, meaning] : exit_codes(about))
         page += ".TP\n\\fB" + std::to_string(static_cast<int>(code)) + "\\fR\n" + roff(meaning) + "\n";
     page += ".SH EXAMPLES\n";
     for (const Example& example : about.examples)
@@ -199,9 +183,9 @@ std::string zsh_completion(const CLI::App& app, const About& about) {
         // '(-o --output)' excludes the option once it is given; = allows --output=FILE and --output FILE.
         const std::string given = option.is_repeatable ? "*" : "(" + core::join(option.names, " ") + ")";
         for (const std::string& name : option.names)
-            script +=
-                " \\\n  " +
-                quoted(given + name + (!option.value.empty() && name.starts_with("--") ? "=" : "") + rest, "'\\''");
+            script += " \\\n  " +
+                      core::single_quoted(
+                          given + name + (!option.value.empty() && name.starts_with("--") ? "=" : "") + rest, "'\\''");
     }
     return script + " \\\n  '*:file:_files'\n";
 }
@@ -215,8 +199,8 @@ std::string fish_completion(const CLI::App& app, const About& about) {
         if (option.is_file)
             script += " -r -F";
         else if (!option.value.empty())
-            script += " -x -a " + quoted(option.words, "\\'");
-        script += " -d " + quoted(escaped(option.help, "\\"), "\\'") + "\n";
+            script += " -x -a " + core::single_quoted(option.words, "\\'");
+        script += " -d " + core::single_quoted(escaped(option.help, "\\"), "\\'") + "\n";
     }
     return script;
 }

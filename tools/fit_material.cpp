@@ -33,8 +33,7 @@ std::vector<fit::TestCurve> read_tests(const FitOptions& options, cli::Console& 
 }
 
 fit::Provenance provenance_of(const FitOptions& options) {
-    return {.command_line = std::string{cli::fit_about().tool} + " " + std::string{cli::version()} + " (" +
-                            std::string{cli::revision()} + "): " + options.common.command_line,
+    return {.command_line = cli::stamp(cli::fit_about(), options.common),
             .notice = options.notice,
             .protocol = options.protocol};
 }
@@ -56,7 +55,7 @@ void print_summary(const std::vector<fit::RankedFit>& ranked, cli::Console& cons
 }
 
 ExitCode fit_material(const FitOptions& options) {
-    cli::Console console{cli::fit_about().tool, options.common.verbosity};
+    cli::Console console{cli::fit_about(), options.common};
     const std::vector<fit::TestCurve> tests = read_tests(options, console);
     const std::vector<fit::RankedFit> ranked =
         options.rank ? fit::rank(tests, options.settings)

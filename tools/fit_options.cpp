@@ -153,7 +153,8 @@ void add_data_options(CLI::App& app, Words& words, FitOptions& options) {
     add_input(app, words.input, "TEST", "Uniaxial test data (CSV)");
     for (const fit::Mode mode : {fit::Mode::uniaxial, fit::Mode::equibiaxial, fit::Mode::planar})
         app.add_option("--" + std::string{fit::name_of(mode)}, words.files[mode],
-                       "Test data of this mode; all tests are fitted together (repeatable)")
+                       "Test data in " + std::string{fit::name_of(mode)} +
+                           " tension; all tests are fitted together (repeatable)")
             ->type_name("FILE")
             ->allow_extra_args(false)
             ->take_all();
@@ -161,9 +162,11 @@ void add_data_options(CLI::App& app, Words& words, FitOptions& options) {
         ->type_name("MODE=NUMBER")
         ->allow_extra_args(false)
         ->take_all();
-    app.add_option("--strain-column", options.reading.strain_column, "Column by (part of) its title, or number from 1")
+    app.add_option("--strain-column", options.reading.strain_column,
+                   "Strain column: (part of) its title, or its number from 1")
         ->type_name("TITLE");
-    app.add_option("--stress-column", options.reading.stress_column, "Column by (part of) its title, or number from 1")
+    app.add_option("--stress-column", options.reading.stress_column,
+                   "Stress column: (part of) its title, or its number from 1")
         ->type_name("TITLE");
     app.add_option("--strain", words.strain, "Strain measure, if the column title does not state it")
         ->check(CLI::IsMember({"engineering", "true", "stretch"}));
@@ -198,7 +201,8 @@ void add_fit_options(CLI::App& app, Words& words, FitOptions& options) {
     app.add_flag("--rank", options.rank, "Fit all laws and print a table, best first, instead of a material");
     app.add_option("--range", words.range, "Range of engineering strain to fit, e.g. 0:110% or :3")
         ->type_name("FROM:TO");
-    app.add_option("--weights", words.weights, "uniform, or relative: 1/max(s, floor * largest s), s the stress")
+    app.add_option("--weights", words.weights,
+                   "Weights of the rows: uniform, or relative: 1/max(s, floor * largest s), where s is the stress")
         ->check(CLI::IsMember({"uniform", "relative"}));
     app.add_option("--weight-floor", words.weight_floor, "Floor of relative weights (default 5%)")->type_name("SHARE");
     app.add_flag("--offset", words.offset, "Also fit a constant stress offset per test, within +-10 kPa");
@@ -240,8 +244,9 @@ std::optional<FitOptions> parse_fit_options(int argc, char** argv) {
     add_common_options(app, options.common, fit_about());
     app.footer(
         "Stress and strain columns are found by their titles (engineering before true); the stress needs a unit, in its\n"
-        "title or by --stress-unit. The fit is a least-squares fit of the nominal stress; all rows have equal weight.\n"
-        "Flags: unstable:<mode>@<stretch> (Drucker, up to the largest I1 of the data), mu0<=0, at-bound, ill-conditioned,\n"
+        "title or by --stress-unit. The fit is a least-squares fit of the nominal stress; by default all\n"
+        "rows have equal weight.\n"
+        "Flags of the --rank table: unstable:<mode>@<stretch> (Drucker, up to the largest I1 of the data), mu0<=0, at-bound, ill-conditioned,\n"
         "offset>10%, signs-constrained, terms:<n>. The standard errors of the constants are lower bounds,\n"
         "because the residuals are correlated.\n\n" +
         app.get_footer());
@@ -250,8 +255,7 @@ std::optional<FitOptions> parse_fit_options(int argc, char** argv) {
     apply(words, options);
     std::vector<NamedFile> inputs;
     for (const TestFile& file : options.files) inputs.push_back({"TEST.csv", file.name});
-    check_distinct(inputs,
-                   {{"--output", options.common.output}, {"--json", options.common.json}, {"--plot", options.plot}});
+    check_distinct(inputs, options.common, {{"--plot", options.plot}});
     return options;
 }
 

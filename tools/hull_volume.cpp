@@ -35,8 +35,7 @@ std::optional<HullOptions> parse_hull_options(int argc, char** argv) {
     cli::add_input(app, options.input, "TABLE", "CSV with columns x, y and z with length units");
     cli::add_common_options(app, options.common, about);
     if (!cli::parse(app, about, options.common, argc, argv)) return std::nullopt;
-    cli::check_distinct({{"TABLE", options.input}},
-                        {{"--output", options.common.output}, {"--json", options.common.json}});
+    cli::check_distinct({{"TABLE", options.input}}, options.common);
     return options;
 }
 
@@ -59,12 +58,9 @@ ExitCode hull_volume(const HullOptions& options) {
     const double volume_m3 = surface::hull_volume_m3(points);
     cli::write_output(options.common.output, "points,volume_mm3\n" + std::to_string(points.size()) + "," +
                                                  core::number_text(1e9 * volume_m3) + "\n");
-    if (!options.common.json.empty())
-        cli::write_json(options.common.json, {{"tool", about.tool},
-                                              {"version", cli::version()},
-                                              {"revision", cli::revision()},
-                                              {"points", points.size()},
-                                              {"volume_m3", volume_m3}});
+    nlohmann::ordered_json json = cli::summary_head(about.tool);
+    json.update({{"points", points.size()}, {"volume_m3", volume_m3}});
+    if (!options.common.json.empty()) cli::write_json(options.common.json, json);
     return ExitCode::ok;
 }
 

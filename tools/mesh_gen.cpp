@@ -62,7 +62,7 @@ std::string write_surface(const model::Case& model, const std::string& file) {
 
 ExitCode build(const cli::MeshGenOptions& options, const cli::Input& input,
                const std::vector<design::Override>& overrides) {
-    cli::Console console{about.tool, options.common.verbosity};
+    cli::Console console{about, options.common};
     if (input.source != options.inputs.front() && input.source != "<stdin>")
         console.say("reads the example " + input.source);
     const design::Design design =
@@ -109,7 +109,7 @@ ExitCode describe(const cli::MeshGenOptions& options) {
     if (!meshing::is_part_file(file))
         throw Error(ExitCode::usage, "--describe", core::quoted(file) + " is not a part",
                     "give a .step, .stl or .obj file");
-    cli::Console console{about.tool, options.common.verbosity};
+    cli::Console console{about, options.common};
     const bool cad = meshing::is_cad_file(file);
     const std::string unit = cad ? "" : unit_of(options);
     const meshing::Part part = meshing::read_part(file, unit, cad ? 1 : geometry::file_unit_m(unit));
@@ -132,10 +132,8 @@ void refuse_part(const std::string& file) {
 
 ExitCode run_task(const cli::MeshGenOptions& options) {
     const std::string& output = options.common.output;
-    cli::check_distinct({{"DESIGN", options.inputs.front()}}, {{"--output", output},
-                                                               {"--json", options.common.json},
-                                                               {"--surface", options.surface},
-                                                               {"--picture", options.picture}});
+    cli::check_distinct({{"DESIGN", options.inputs.front()}}, options.common,
+                        {{"--surface", options.surface}, {"--picture", options.picture}});
     switch (options.task) {
         case cli::Task::list: cli::write_output(output, family_list()); return ExitCode::ok;
         case cli::Task::list_keys:

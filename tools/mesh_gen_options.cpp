@@ -64,10 +64,10 @@ std::optional<MeshGenOptions> parse_mesh_gen_options(int argc, char** argv) {
     app.add_option("--surface", options.surface,
                    "Write the surface of a solid model instead of a case: STL or OBJ by the extension, in mm")
         ->type_name("FILE");
-    auto* describe =
-        app.add_flag_callback("--describe", task(Task::describe),
-                              "Print the contents of a part (.step, .stl, .obj), given instead of DESIGN, as the "
-                              "beginning of a design with its faces");
+    auto* describe = app.add_flag_callback(
+        "--describe", task(Task::describe),
+        "Read a part (.step, .stl, .obj) instead of DESIGN, and print the beginning of a design with "
+        "its faces");
     app.add_option("--picture", options.picture, "With --describe: write a picture of the numbered faces (SVG)")
         ->type_name("FILE")
         ->needs(describe);

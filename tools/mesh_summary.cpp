@@ -183,21 +183,19 @@ nlohmann::ordered_json summary_json(const MeshSummary& summary, const std::vecto
         }
         cavities.push_back(std::move(one));
     }
-    nlohmann::ordered_json json = {{"tool", "mesh-gen"},
-                                   {"version", version()},
-                                   {"revision", revision()},
-                                   {"name", summary.name},
-                                   {"cells", summary.cells},
-                                   {"cell_types", summary.cell_types},
-                                   {"points", summary.points},
-                                   {"unknowns", summary.unknowns},
-                                   {"rubber_volume_m3", summary.rubber_volume_m3},
-                                   {"cavities", std::move(cavities)},
-                                   {"min_scaled_jacobian", summary.quality.min_scaled_jacobian},
-                                   {"mean_scaled_jacobian", summary.quality.mean_scaled_jacobian},
-                                   {"worst_cell", summary.quality.worst_cell},
-                                   {"worst_place_m", summary.quality.worst_position_m},
-                                   {"warnings", warnings}};
+    nlohmann::ordered_json json = summary_head("mesh-gen");
+    json.update({{"name", summary.name},
+                 {"cells", summary.cells},
+                 {"cell_types", summary.cell_types},
+                 {"points", summary.points},
+                 {"unknowns", summary.unknowns},
+                 {"rubber_volume_m3", summary.rubber_volume_m3},
+                 {"cavities", std::move(cavities)},
+                 {"min_scaled_jacobian", summary.quality.min_scaled_jacobian},
+                 {"mean_scaled_jacobian", summary.quality.mean_scaled_jacobian},
+                 {"worst_cell", summary.quality.worst_cell},
+                 {"worst_place_m", summary.quality.worst_position_m},
+                 {"warnings", warnings}});
     json["inner_corners"] = {{"count", summary.inner_corners.count},
                              {"length_m", summary.inner_corners.length_m},
                              {"cell_m", summary.inner_corners.cell_m}};

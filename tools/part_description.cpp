@@ -28,12 +28,6 @@ std::string lengths(const Point& p) {
     return "[" + number(mm * p[0]) + " mm, " + number(mm * p[1]) + " mm, " + number(mm * p[2]) + " mm]";
 }
 
-std::string quoted_yaml(const std::string& word) {
-    std::string text{"'"};
-    for (const char c : word) text.append(c == '\'' ? 2 : 1, c);
-    return text + "'";
-}
-
 std::string area_text(double area_m2) { return number(mm * mm * area_m2, 4) + " mm^2"; }
 
 /// "x", "-y" or "[0.6, 0.8, 0]".
@@ -129,20 +123,29 @@ std::string colour(std::size_t face, double light) {
            number(45 + 35 * light, 4) + "%)";
 }
 
-/// The position nearest to the mean of `positions`. It lies on the face even if the face surrounds a hole.
-std::array<double, 2> middle_of(const std::vector<std::array<double, 2>>& positions) {
+constexpr double circle_px = 9;
+
+/// The position nearest to the mean of `positions`, so that it lies on the face even if the face surrounds a hole. Positions whose circle
+/// would overlap one of `labels` are used only if there are no others.
+std::array<double, 2> middle_of(const std::vector<std::array<double, 2>>& positions,
+                                const std::vector<std::array<double, 2>>& labels) {
+    const auto distance = [](const auto& a, const auto& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); };
     std::array<double, 2> mean{};
     for (const auto& at : positions)
         for (std::size_t d = 0; d < 2; ++d) mean[d] += at[d] / static_cast<double>(positions.size());
-    return *std::ranges::min_element(positions, {},
-                                     [&](const auto& at) { return std::hypot(at[0] - mean[0], at[1] - mean[1]); });
+    return *std::ranges::min_element(positions, {}, [&](const auto& at) {
+        const bool overlaps =
+            std::ranges::any_of(labels, [&](const auto& other) { return distance(at, other) < 2.2 * circle_px; });
+        return std::pair{overlaps, distance(at, mean)};
+    });
 }
 
 /// The circle is dashed if another face hides this one.
 std::string label(std::size_t face, const std::array<double, 2>& at, bool is_behind) {
     const std::string x = number(at[0], 6), dashes = is_behind ? " stroke-dasharray='2'" : "";
-    return "<circle cx='" + x + "' cy='" + number(at[1], 6) + "' r='9' fill='white' stroke='black'" + dashes +
-           "/><text x='" + x + "' y='" + number(at[1] + 4, 6) + "'>" + std::to_string(face) + "</text>\n";
+    return "<circle cx='" + x + "' cy='" + number(at[1], 6) + "' r='" + number(circle_px) +
+           "' fill='white' stroke='black'" + dashes + "/><text x='" + x + "' y='" + number(at[1] + 4, 6) + "'>" +
+           std::to_string(face) + "</text>\n";
 }
 
 /// A projected triangle and its face.
@@ -210,10 +213,11 @@ std::string drawn(const PartDescription& part, const View& view, std::array<doub
         });
         return found == shown.rend() ? part.faces.size() : found->face;
     };
+    std::vector<std::array<double, 2>> labels;
     for (std::size_t f = 0; f < seen.size(); ++f)
         if (!seen[f].empty()) {
-            const auto at = middle_of(seen[f]);
-            svg += label(f + 1, at, front_face_at(at) != f);
+            labels.push_back(middle_of(seen[f], labels));
+            svg += label(f + 1, labels.back(), front_face_at(labels.back()) != f);
         }
     return svg;
 }
@@ -237,7 +241,7 @@ std::string description_yaml(const PartDescription& part) {
             "# no closed cavity; for an open one use cavity: {point: [x, y, z] on its wall, up_to: face around its "
             "opening}\n";
     for (const std::string& repair : part.surface.repairs) text += "# repaired: " + repair + "\n";
-    text += "family: imported\ngeometry:\n  file: " + quoted_yaml(part.file) + "\n";
+    text += "family: imported\ngeometry:\n  file: " + core::single_quoted(part.file) + "\n";
     if (!part.unit.empty()) text += "  unit: " + part.unit + "\n";
     if (std::ranges::any_of(part.faces, [](const PartFace& face) { return face.rule.has_value(); }))
         text += "  faces:\n";

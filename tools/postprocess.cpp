@@ -31,13 +31,12 @@ std::vector<std::string> comments(const io::Result& result, const cli::CommonOpt
         lines.push_back(stage.tool + " " + stage.version + " (" + stage.revision + "): " + stage.command_line);
         lines.push_back("    " + core::join(stage.libraries));
     }
-    lines.push_back("postprocess " + std::string{cli::version()} + " (" + std::string{cli::revision()} +
-                    "): " + common.command_line);
+    lines.push_back(cli::stamp(postprocess_about(), common));
     return lines;
 }
 
 ExitCode postprocess(const PostprocessOptions& options) {
-    cli::Console console(postprocess_about().tool, options.common.verbosity);
+    cli::Console console{postprocess_about(), options.common};
     if (options.lists_outputs && options.input.empty()) {
         cli::write_output(options.common.output, post::column_text(post::all_columns()));
         return ExitCode::ok;

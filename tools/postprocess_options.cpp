@@ -25,7 +25,9 @@ void add_plot_options(CLI::App& app, PlotOptions& plot) {
         ->type_name("QUANTITY");
     repeatable(app.add_option("--with", plot.with, "Another result in the same plot, also for --report (repeatable)"))
         ->type_name("FILE[:LABEL]");
-    app.add_option("--band", plot.band, "Uncertainty band in the plot: a table written by scripts/uncertainty")
+    app.add_option("--band", plot.band,
+                   "Uncertainty band in the plot: a table written by scripts/uncertainty; the result must have the "
+                   "material of the fit")
         ->type_name("FILE.csv");
 }
 
@@ -106,15 +108,15 @@ void check_files(const PostprocessOptions& options) {
                                           {"--check", options.check.file},
                                           {"--band", options.plot.band}};
     for (const std::string& other : options.plot.with) inputs.push_back({"--with", other.substr(0, other.rfind(':'))});
-    const std::vector<cli::NamedFile> outputs = {{"--output", options.wants_table ? options.common.output : ""},
-                                                 {"--json", options.common.json},
-                                                 {"--plot", options.plot.file},
-                                                 {"--picture", options.pictures.picture},
-                                                 {"--animate", options.pictures.animate},
-                                                 {"--paraview", options.pictures.paraview},
-                                                 {"--report", options.report},
-                                                 {"--junit", options.check.junit}};
-    cli::check_distinct(inputs, outputs);
+    cli::CommonOptions written = options.common;
+    if (!options.wants_table) written.output.clear();
+    cli::check_distinct(inputs, written,
+                        {{"--plot", options.plot.file},
+                         {"--picture", options.pictures.picture},
+                         {"--animate", options.pictures.animate},
+                         {"--paraview", options.pictures.paraview},
+                         {"--report", options.report},
+                         {"--junit", options.check.junit}});
     if (!options.report.empty() && !options.report.ends_with(".html") && !options.report.ends_with(".htm"))
         throw Error(ExitCode::usage, "--report " + options.report, "a report is an HTML file; use the extension .html");
 }
@@ -128,7 +130,8 @@ const cli::About& postprocess_about() {
                                                 "The whole curve as CSV, and a plot of it"},
                                                {"postprocess bellows.h5 --at pressure=10kPa,20kPa --at elongation=40mm",
                                                 "The state at two pressures and at one elongation"}},
-                                  .libraries = libraries};
+                                  .libraries = libraries,
+                                  .exit_codes = {{ExitCode::check_failed, "--check or --max-error failed"}}};
     return about;
 }
 
@@ -155,7 +158,7 @@ std::optional<PostprocessOptions> parse_postprocess_options(int argc, char** arg
     add_check_options(app, options.check);
     add_picture_options(app, options.pictures);
     app.add_option("--report", options.report,
-                   "Write a report for the browser: curve, animated body, table, design, provenance")
+                   "Write a report for the browser: curve, animated actuator, table, design, provenance")
         ->type_name("FILE.html");
     cli::add_common_options(app, options.common, about);
     app.footer(columns_help + checks_help + pictures_help() +

@@ -45,8 +45,8 @@ public:
     };
     [[nodiscard]] Clock clock() const {
         for (const post::Source source : {post::Source::time, post::Source::load}) {
-            const auto found = std::ranges::find(shown_.curve.columns, source, &post::Column::source);
-            if (found == shown_.curve.columns.end()) continue;
+            const post::Column* found = shown_.curve.find(source);
+            if (found == nullptr) continue;
             std::vector<double> values;
             for (const std::int64_t row : shown_.result.fields.steps())
                 values.push_back(found->values.at(static_cast<std::size_t>(row)));
@@ -55,7 +55,7 @@ public:
             if (std::ranges::adjacent_find(values, std::greater_equal<>{}) != values.end()) continue;
             std::string name = found->quantity;
             std::ranges::replace(name, '_', ' ');
-            return {(sign < 0 ? "negative " : "") + name + (found->unit.empty() ? "" : " in " + found->unit), &*found,
+            return {(sign < 0 ? "negative " : "") + name + (found->unit.empty() ? "" : " in " + found->unit), found,
                     sign};
         }
         return {"step number, because the load is not monotonic"};

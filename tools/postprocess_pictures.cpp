@@ -88,13 +88,8 @@ view::SkinOptions skin_options(const PictureOptions& options) {
 bool is_in_title(const post::Curve& curve, const post::Column& column) {
     if (column.quantity == "step" || column.source == post::Source::time || column.source == post::Source::output)
         return true;
-    const auto first = [&](post::Source source) {
-        return &*std::ranges::find(curve.columns, source, &post::Column::source) == &column;
-    };
-    const bool measures =
-        std::ranges::any_of(curve.columns, [](const post::Column& c) { return c.source == post::Source::output; });
-    return (column.source == post::Source::load && first(post::Source::load)) ||
-           (column.source == post::Source::volume && !measures && first(post::Source::volume));
+    return &column == curve.find(post::Source::load) ||
+           (curve.find(post::Source::output) == nullptr && &column == curve.find(post::Source::volume));
 }
 
 /// "step 12", "pressure 40 kPa", "elongation 31.7 mm"; `values`: one per column; `with_step`: false between steps.
@@ -106,7 +101,7 @@ std::vector<std::string> state_words(const post::Curve& curve, std::span<const d
         if (column.quantity == "step" && !with_step) continue;
         std::string words = column.quantity;
         std::ranges::replace(words, '_', ' ');
-        all.push_back(words + " " + core::rounded_text(values[i], 4) + (column.unit.empty() ? "" : " " + column.unit));
+        all.push_back(words + " " + post::value_text(column, values[i]));
     }
     return all;
 }
@@ -127,9 +122,8 @@ std::vector<double> frame_parameters(const post::Path& path, const PictureInput&
     constexpr std::size_t min_frames = 36, max_frames = 400;
     const std::size_t count = std::clamp(shown.result.fields.steps().size(), min_frames, max_frames);
     const post::Curve& curve = shown.curve;
-    const auto load = std::ranges::find(curve.columns, post::Source::load, &post::Column::source);
-    const bool moves =
-        std::ranges::any_of(curve.columns, [](const post::Column& c) { return c.source == post::Source::time; });
+    const post::Column* load = curve.find(post::Source::load);
+    const bool moves = curve.find(post::Source::time) != nullptr;
     std::vector<double> loads;
     for (const std::size_t row : path.rows()) loads.push_back(load->values[row]);
     const double sign = loads.back() < loads.front() ? -1 : 1;
@@ -142,7 +136,7 @@ std::vector<double> frame_parameters(const post::Path& path, const PictureInput&
         double s = share * path.length();
         if (grows && k > 0 && k + 1 < count) {
             const double value = sign * (loads.front() + share * (loads.back() - loads.front()));
-            const auto found = path.crossings(static_cast<std::size_t>(load - curve.columns.begin()), value);
+            const auto found = path.crossings(curve.index_of(*load), value);
             if (!found.empty()) s = found.front();
         }
         parameters.push_back(s);
@@ -150,7 +144,7 @@ std::vector<double> frame_parameters(const post::Path& path, const PictureInput&
     return parameters;
 }
 
-/// Rejects options that do not apply to the body. A plane-strain body is drawn only from the front.
+/// Rejects options that do not apply to the model. A plane-strain model is drawn only from the front.
 void check_body(const PictureOptions& options, const model::Case& model) {
     if (options.section && model.kinematics == model::Kinematics::solid)
         throw Error(ExitCode::usage, "--section", "the model is not axisymmetric and has no such section",
@@ -158,7 +152,7 @@ void check_body(const PictureOptions& options, const model::Case& model) {
     if (options.view.empty() || model.kinematics != model::Kinematics::plane_strain) return;
     const view::Camera camera = view::camera_from_text(options.view), front = view::camera_from_text("front");
     if (camera.azimuth_deg != front.azimuth_deg || camera.elevation_deg != front.elevation_deg)
-        throw Error(ExitCode::usage, "--view", "a plane-strain body is drawn only from the front", "omit --view");
+        throw Error(ExitCode::usage, "--view", "a plane-strain model is drawn only from the front", "omit --view");
 }
 
 /// Draws pictures of one result; computes what all steps share only once.
@@ -297,14 +291,14 @@ io::FieldReader::Values stored_fields(const io::Result& result, std::int64_t row
 
 void add_picture_options(CLI::App& app, PictureOptions& options) {
     app.add_option("--picture", options.picture,
-                   "Draw the deformed body in colour at the last step, or at the stored step nearest "
+                   "Draw the deformed actuator in colour at the last step, or at the stored step nearest "
                    "to each value of --at (FILE-1.png ... if several); needs gnuplot, no display")
         ->type_name("FILE.png");
     app.add_option(
            "--animate", options.animate,
            "Write a film with evenly spaced loads (needs ffmpeg), or a folder with a picture of every stored step")
         ->type_name("FILE.gif|FILE.mp4|FOLDER/");
-    app.add_option("--field", options.field, "Field shown by the colours of the body: " + field_names())
+    app.add_option("--field", options.field, "Field shown by the colours of the actuator: " + field_names())
         ->type_name("FIELD")
         ->capture_default_str();
     app.add_option(
@@ -316,7 +310,7 @@ void add_picture_options(CLI::App& app, PictureOptions& options) {
                    "Values at the ends of the colour bar, e.g. 0kPa,200kPa; default: the range of "
                    "the picture or film")
         ->type_name("LOW,HIGH");
-    app.add_flag("--section", options.section, "Draw the section of an axisymmetric body");
+    app.add_flag("--section", options.section, "Draw the section of an axisymmetric actuator");
     app.add_flag("--whole", options.whole, "Draw the whole actuator: fully revolved, mirrored at its symmetry planes");
     app.add_option(
            "--paraview", options.paraview,
@@ -327,7 +321,7 @@ void add_picture_options(CLI::App& app, PictureOptions& options) {
 
 const std::string& pictures_help() {
     static const std::string help =
-        "Pictures show the deformed body, its undeformed outline, a scale bar and a colour bar. To show the inside, axisymmetric\n"
+        "Pictures show the deformed actuator, its undeformed outline, a scale bar and a colour bar. To show the inside, axisymmetric\n"
         "and quarter models are drawn without the quarter between +y and +z, half models without y > 0. front looks along -z with\n"
         "x to the right and y up, side along the axis, top from above. Fields: stretch (largest principal stretch), von-mises,\n"
         "pressure (in the rubber, positive in compression), displacement, energy (per undeformed volume), J (current over undeformed\n"
@@ -365,7 +359,7 @@ void make_pictures(const PictureOptions& options, const PictureInput& shown, cli
     if (!options.paraview.empty()) write_paraview(options.paraview, shown, console);
     if (options.picture.empty() && options.animate.empty()) return;
     const PictureRenderer studio(options, shown);
-    console.detail("the body's surface has " + std::to_string(studio.polygons()) + " polygons");
+    console.detail("the surface has " + std::to_string(studio.polygons()) + " polygons");
     if (!options.picture.empty()) draw_pictures(options.picture, studio, shown, console);
     if (options.animate.empty()) return;
     studio.animate(options.animate, console);

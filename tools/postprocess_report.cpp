@@ -13,8 +13,7 @@ void write_report(const PostprocessOptions& options, view::Content content,
     }
     content.plot = {content.series.size() == 1 ? content.result.model.name : "", options.plot.x, options.plot.y,
                     options.plot.colour};
-    content.made_by = "postprocess " + std::string{cli::version()} + " (" + std::string{cli::revision()} +
-                      "): " + options.common.command_line;
+    content.made_by = cli::stamp(postprocess_about(), options.common);
     cli::write_output(options.report, view::make_report(content));
 }
 

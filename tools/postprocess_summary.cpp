@@ -57,18 +57,16 @@ std::string fit_line(const nlohmann::ordered_json& fit) {
 }  // namespace
 
 nlohmann::ordered_json postprocess_summary(const io::Result& result, const post::Curve& curve, std::size_t rows) {
-    nlohmann::ordered_json json = {{"tool", "postprocess"},
-                                   {"version", cli::version()},
-                                   {"revision", cli::revision()},
-                                   {"case", result.model.name},
-                                   {"rows", rows},
-                                   {"steps", result.steps.size()},
-                                   {"columns", nlohmann::ordered_json::array()},
-                                   {"materials", cli::materials_json(result.model, effective_design(result))},
-                                   {"material_fit", fit_json(result)},
-                                   {"stop_reason", nullptr},
-                                   {"limit_points", nlohmann::ordered_json::array()},
-                                   {"bifurcations", nlohmann::ordered_json::array()}};
+    nlohmann::ordered_json json = cli::summary_head("postprocess");
+    json.update({{"case", result.model.name},
+                 {"rows", rows},
+                 {"steps", result.steps.size()},
+                 {"columns", nlohmann::ordered_json::array()},
+                 {"materials", cli::materials_json(result.model, effective_design(result))},
+                 {"material_fit", fit_json(result)},
+                 {"stop_reason", nullptr},
+                 {"limit_points", nlohmann::ordered_json::array()},
+                 {"bifurcations", nlohmann::ordered_json::array()}});
     for (const post::Column& column : curve.columns) json["columns"].push_back(column.name);
     if (!result.end) return json;
     json["stop_reason"] = model::name(result.end->reason);

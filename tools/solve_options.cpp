@@ -14,16 +14,25 @@ namespace soft::cli {
 namespace {
 
 std::vector<Library> libraries() {
-    return {{"PETSc", linalg::petsc_version()}, {"HDF5", built_with::hdf5}, {"BLAS", linalg::blas_name()}};
+    return {{"PETSc", linalg::petsc_version()},
+            {"SLEPc", built_with::slepc},
+            {"HDF5", built_with::hdf5},
+            {"BLAS", linalg::blas_name()}};
 }
 
-const About about{.tool = "solve",
-                  .summary = "follows the equilibrium path of a case through limit points up to its full load or goal",
-                  .examples = {{"mesh-gen designs/bellows.yaml | solve | postprocess > curve.csv",
-                                "Complete pipeline from design to curve"},
-                               {"mpirun -n 2 solve case.h5 -o result.h5 --set path.control=pressure -- -log_view",
-                                "Two ranks, another control, and a PETSc option after --"}},
-                  .libraries = libraries};
+const About about{
+    .tool = "solve",
+    .summary = "follows the equilibrium path of a case, also past limit points, to its full load or to path.until",
+    .examples = {{"mesh-gen designs/bellows.yaml | solve | postprocess > curve.csv",
+                  "Complete pipeline from design to curve"},
+                 {"mpirun -n 2 solve case.h5 -o result.h5 --set path.control=pressure -- -log_view",
+                  "Two ranks, another control, and a PETSc option after --"}},
+    .libraries = libraries,
+    .exit_codes = {
+        {ExitCode::check_failed, "the error bars exceed --tolerance, or the result violates the energy balance"},
+        {ExitCode::stopped_early,
+         "the path ended early for a physical or numerical reason; the message states "
+         "stop_reason; the converged steps are in the file"}}};
 
 double parse_tolerance(const std::string& text) {
     const double tolerance = core::quantity_or_throw(text, core::Dimension::ratio, ExitCode::usage, "--tolerance");
@@ -67,20 +76,20 @@ std::optional<SolveOptions> parse_solve_options(int argc, char** argv) {
     std::string tolerance;
     app.add_option(
            "--tolerance", tolerance,
-           "Halve all cells until the relative error bars of the load are below PART (0.1% or 0.001), and write them")
+           "Solve again on meshes with all cells halved until the error bars of the load are below PART of the load "
+           "(0.1% or 0.001); write the error bars")
         ->type_name("PART");
     app.add_option("--resume", options.resume, "Continue an interrupted `solve -o FILE`; omit CASE")->type_name("FILE");
     app.add_flag("--profile", options.profile, "Print the time of each phase and the peak memory");
     app.add_flag(
         "--batch", options.batch,
-        "Read lines from stdin, each with the arguments of one solve (CASE -o FILE ...), and print for each its exit code and "
-        "its user, system and wall time in seconds: avoids the start-up time of many small cases");
+        "Solve many cases in one process: each line of stdin has the arguments of one solve (CASE -o FILE ...); print its exit "
+        "code and user, system and wall time in seconds");
     add_set_option(app, options.sets);
     add_common_options(app, options.common, about);
     if (!parse(app, about, options.common, argc, argv)) return std::nullopt;
     static_cast<void>(io::parse_fields_policy(options.fields));  // before any work
-    check_distinct({{"CASE", options.input}, {"--resume", options.resume}},
-                   {{"--output", options.common.output}, {"--json", options.common.json}});
+    check_distinct({{"CASE", options.input}, {"--resume", options.resume}}, options.common);
     if (app.count("--tolerance") > 0) options.tolerance = parse_tolerance(tolerance);
     check(app, options);
     return options;

@@ -31,10 +31,13 @@ std::vector<cli::Library> libraries() {
 const cli::About about{
     .tool = "sweep-plan",
     .summary = "lists the designs of a sweep (YAML), one row each (CSV); with --results their results",
-    .examples = {{"sweep-plan designs/sweeps/tube.yaml", "Lists the designs with their values and addresses"},
+    .examples = {{"sweep-plan designs/sweeps/tube.yaml", "Lists the designs with their values and IDs"},
                  {"sweep-plan designs/sweeps/tube.yaml --folder results/sweeps/tube -o plan.csv",
                   "Also marks those that scripts/sweep has computed in this folder"}},
-    .libraries = libraries};
+    .libraries = libraries,
+    .exit_codes = {{ExitCode::stopped_early,
+                    "--results: some designs are not computed, or failed for a reason outside the design (killed, disk "
+                    "full)"}}};
 
 struct SweepPlanOptions {
     cli::CommonOptions common;
@@ -51,29 +54,28 @@ std::optional<SweepPlanOptions> parse_sweep_plan_options(int argc, char** argv) 
     folder->type_name("FOLDER");
     app.add_flag("--prepare", options.prepare, "Also write the waiting designs as FOLDER/designs/ID.yaml")
         ->needs(folder);
-    app.add_option("--waiting", options.waiting, "Also write the addresses of the waiting designs, one per line")
+    app.add_option("--waiting", options.waiting, "Also write the IDs of the waiting designs, one per line")
         ->type_name("FILE");
     app.add_flag("--results", options.results,
                  "Print the results of the designs in FOLDER instead of the plan, and write the "
-                 "curve of each next to its result; exit code 2: some are not computed, or "
-                 "failed for external reasons")
+                 "curve of each next to its result")
         ->needs(folder);
-    app.add_option("--programs", options.programs, "File with the versions of the programs, which enter the addresses")
+    app.add_option("--programs", options.programs,
+                   "File with the versions of the programs, which are part of the hash ID")
         ->type_name("FILE");
     cli::add_common_options(app, options.common, about);
     if (!cli::parse(app, about, options.common, argc, argv)) return std::nullopt;
     cli::require_at_most_one(app, std::vector<std::string>{"--prepare", "--results"});
-    cli::check_distinct(
-        {{"SWEEP", options.input}, {"--programs", options.programs}},
-        {{"--output", options.common.output}, {"--json", options.common.json}, {"--waiting", options.waiting}});
+    cli::check_distinct({{"SWEEP", options.input}, {"--programs", options.programs}}, options.common,
+                        {{"--waiting", options.waiting}});
     return options;
 }
 
 /// Prints "1000 designs: 990 done, 10 refused", and writes the same as JSON.
 void print_summary(const SweepPlanOptions& options, std::size_t designs,
                    const std::vector<std::pair<std::string, std::ptrdiff_t>>& counts) {
-    nlohmann::ordered_json json = {
-        {"tool", about.tool}, {"version", cli::version()}, {"revision", cli::revision()}, {"designs", designs}};
+    nlohmann::ordered_json json = cli::summary_head(about.tool);
+    json["designs"] = designs;
     std::vector<std::string> words;
     for (const auto& [word, count] : counts) {
         json[word] = count;
@@ -82,8 +84,7 @@ void print_summary(const SweepPlanOptions& options, std::size_t designs,
         words.push_back(std::move(text));
     }
     if (!options.prepare)
-        cli::Console{about.tool, options.common.verbosity}.say(core::counted(designs, "design") + ": " +
-                                                               core::join(words));
+        cli::Console{about, options.common}.say(core::counted(designs, "design") + ": " + core::join(words));
     if (!options.common.json.empty()) cli::write_json(options.common.json, json);
 }
 
@@ -148,9 +149,8 @@ ExitCode write_plan(const SweepPlanOptions& options, const sweep::Sweep& sweep, 
     cli::write_output(options.common.output, sweep::plan_csv(sweep, plan, states));
     const auto count = [&](sweep::State state) { return std::ranges::count(states, state); };
     if (options.prepare)
-        cli::Console{about.tool, options.common.verbosity}.say(core::counted(states.size(), "design") + ", " +
-                                                               std::to_string(waiting.size()) + " to compute in " +
-                                                               options.folder);
+        cli::Console{about, options.common}.say(core::counted(states.size(), "design") + ", " +
+                                                std::to_string(waiting.size()) + " to compute in " + options.folder);
     print_summary(options, states.size(),
                   {{"waiting", count(sweep::State::waiting)},
                    {"done", count(sweep::State::done)},

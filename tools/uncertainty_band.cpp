@@ -71,9 +71,7 @@ std::optional<UncertaintyOptions> parse_uncertainty_options(int argc, char** arg
     if (!options.plot.empty()) static_cast<void>(post::picture_format(options.plot));
     if (options.at.empty() && !options.runs.empty())
         throw Error(ExitCode::usage, "--at", "is missing", "give values, for example --at elongation=20mm,40mm");
-    cli::check_distinct(
-        {{"FIT", options.input}},
-        {{"--output", options.common.output}, {"--json", options.common.json}, {"--plot", options.plot}});
+    cli::check_distinct({{"FIT", options.input}}, options.common, {{"--plot", options.plot}});
     return options;
 }
 
@@ -138,15 +136,11 @@ ExitCode write_band(const UncertaintyOptions& options, std::size_t constants) {
     const post::Band band = sum.band();
     cli::write_output(options.common.output, post::band_csv(sum.rows(), band));
     if (!options.plot.empty()) draw(options, std::move(*fitted), band);
-    cli::Console console{about.tool, options.common.verbosity};
+    cli::Console console{about, options.common};
     for (const std::string& note : sum.notes()) console.warn(note);
-    if (!options.common.json.empty())
-        cli::write_json(options.common.json, {{"tool", about.tool},
-                                              {"version", cli::version()},
-                                              {"revision", cli::revision()},
-                                              {"rows", sum.rows().row_count()},
-                                              {"samples", options.samples},
-                                              {"left_out", sum.notes()}});
+    nlohmann::ordered_json json = cli::summary_head(about.tool);
+    json.update({{"rows", sum.rows().row_count()}, {"samples", options.samples}, {"left_out", sum.notes()}});
+    if (!options.common.json.empty()) cli::write_json(options.common.json, json);
     return ExitCode::ok;
 }
 

@@ -21,9 +21,8 @@
 #include "library_versions.hpp"
 #include "post/gnuplot.hpp"
 #include "post/plot.hpp"
-#include "post/plot_style.hpp"
 #include "surface/hull.hpp"
-#include "sweep/gray_code.hpp"
+#include "sweep/sampling.hpp"
 
 namespace {
 
@@ -78,9 +77,8 @@ std::optional<GridOptions> parse_grid_options(int argc, char** argv) {
     if (options.results.empty() && options.pressures.empty())
         throw Error(ExitCode::usage, "--pressures", "is missing",
                     "give the maximum pressure of each chamber: --pressures chamber_1=12kPa,chamber_2=12kPa");
-    cli::check_distinct(
-        {{"DESIGN", options.input}, {"--results", options.results}},
-        {{"--output", options.common.output}, {"--json", options.common.json}, {"--plot", options.plot}});
+    cli::check_distinct({{"DESIGN", options.input}, {"--results", options.results}}, options.common,
+                        {{"--plot", options.plot}});
     return options;
 }
 
@@ -92,16 +90,13 @@ struct Chamber {
 
 std::vector<Chamber> chambers_of(std::string_view list) {
     std::vector<Chamber> chambers;
-    for (std::size_t start = 0; start <= list.size();) {
-        const std::size_t comma = std::min(list.find(',', start), list.size());
-        const std::string_view entry = core::trimmed(list.substr(start, comma - start));
-        start = comma + 1;
+    for (const std::string& entry : core::split(list, ',')) {
         const std::size_t equals = std::min(entry.find('='), entry.size());
         const auto refuse = [&entry](const std::string& problem) {
             return Error(ExitCode::usage, "--pressures", core::quoted(entry) + problem, "write chamber_1=12kPa");
         };
         if (equals == 0 || equals == entry.size()) throw refuse(" is not of the form chamber=pressure");
-        const std::string_view text = entry.substr(equals + 1);
+        const std::string text = entry.substr(equals + 1);
         const auto pressure = core::parse_quantity(text, core::Dimension::pressure);
         if (const auto* refusal = std::get_if<core::Refusal>(&pressure)) throw refuse(": " + refusal->problem);
         const core::QuantityParts parts = core::quantity_parts(text);
@@ -267,16 +262,11 @@ ExitCode write_points(const GridOptions& options) {
     if (!options.plot.empty()) draw(points, options.plot);
     const std::size_t all = result.model.path.stages.size() + 1;
     const std::string of_all = count < all ? " of " + std::to_string(all) : "";
-    cli::Console{about.tool, options.common.verbosity}.say(std::to_string(count) + of_all +
-                                                           " points; volume of their convex hull " +
-                                                           core::rounded_text(1e9 * volume_m3, 6) + " mm^3");
-    if (!options.common.json.empty())
-        cli::write_json(options.common.json, {{"tool", about.tool},
-                                              {"version", cli::version()},
-                                              {"revision", cli::revision()},
-                                              {"points", count},
-                                              {"points_of_the_grid", all},
-                                              {"volume_m3", volume_m3}});
+    cli::Console{about, options.common}.say(std::to_string(count) + of_all + " points; volume of their convex hull " +
+                                            core::rounded_text(1e9 * volume_m3, 6) + " mm^3");
+    nlohmann::ordered_json json = cli::summary_head(about.tool);
+    json.update({{"points", count}, {"points_of_the_grid", all}, {"volume_m3", volume_m3}});
+    if (!options.common.json.empty()) cli::write_json(options.common.json, json);
     return ExitCode::ok;
 }
 

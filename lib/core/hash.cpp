@@ -1,5 +1,6 @@
 #include "core/hash.hpp"
 
+#include <nettle/base64.h>
 #include <nettle/sha2.h>
 
 #include <array>
@@ -23,5 +24,11 @@ std::string sha256_hex(std::span<const std::byte> bytes) {
 }
 
 std::string sha256_hex(std::string_view text) { return sha256_hex(std::as_bytes(std::span{text})); }
+
+std::string base64(std::span<const std::byte> bytes) {
+    std::string text(BASE64_ENCODE_RAW_LENGTH(bytes.size()), '\0');
+    base64_encode_raw(text.data(), bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
+    return text;
+}
 
 }  // namespace soft::core

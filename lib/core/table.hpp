@@ -60,9 +60,6 @@ struct Table {
 
 [[nodiscard]] Heading parse_heading(std::string_view name);
 
-/// Dimension of a unit; nullopt if core/units does not define the unit.
-[[nodiscard]] std::optional<core::Dimension> dimension_of(std::string_view unit);
-
 /// "column 2 'Pressure (psi)'", for messages.
 [[nodiscard]] std::string column_text(const Table& table, std::size_t column);
 

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/table_cell.hpp"
 #include "core/text.hpp"
 
 namespace soft::core {

@@ -1,5 +1,7 @@
 #pragma once
-/// Splits text into lines and lines into cells. Private to the module. Tested by core/table_read_test.
+/// Splits text into lines and lines into cells, and reads cells. Private to the module. Tested by core/table_read_test.
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,6 +19,9 @@ namespace soft::core {
 
 /// Fills rows and lines of `table`; its source and delimiter must be set. Throws Error (bad_input) for an unclosed quote.
 void read_rows(Table& table, const std::vector<std::string_view>& lines);
+
+/// The number of a cell as text for core/units ("1,5" becomes "1.5"); nullopt unless the cell is a finite decimal number.
+[[nodiscard]] std::optional<std::string> decimal_text(const std::string& cell, Decimal decimal);
 
 /// Number of numeric and of other non-empty cells of a row.
 struct Content {

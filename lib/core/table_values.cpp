@@ -1,11 +1,10 @@
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 
 #include "core/error.hpp"
 #include "core/table.hpp"
-#include "core/table_cell.hpp"
+#include "core/table_lines.hpp"
 #include "core/text.hpp"
 
 namespace soft::core {
@@ -81,15 +80,6 @@ std::optional<std::string> decimal_text(const std::string& cell, Decimal decimal
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
     return text;
-}
-
-std::optional<core::Dimension> dimension_of(std::string_view unit) {
-    using enum core::Dimension;
-    if (core::trimmed(unit).empty()) return std::nullopt;
-    for (const core::Dimension dimension : {ratio, length, area, volume, pressure, angle, density, mass, acceleration,
-                                            time, rate, flow_resistance, energy, force, moment, curvature})
-        if (std::holds_alternative<double>(core::parse_quantity("1 " + std::string{unit}, dimension))) return dimension;
-    return std::nullopt;
 }
 
 Heading parse_heading(std::string_view name) {

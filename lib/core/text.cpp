@@ -70,6 +70,22 @@ std::string join(std::span<const std::string> words, std::string_view separator)
     return text;
 }
 
+std::vector<std::string> split(std::string_view text, char separator) {
+    std::vector<std::string> parts;
+    while (true) {
+        const std::size_t end = text.find(separator);
+        parts.emplace_back(trimmed(text.substr(0, end)));
+        if (end == std::string_view::npos) return parts;
+        text.remove_prefix(end + 1);
+    }
+}
+
+std::string single_quoted(std::string_view text, std::string_view escaped_quote) {
+    std::string quoted = "'";
+    for (const char c : text) quoted.append(c == '\'' ? escaped_quote : std::string_view{&c, 1});
+    return quoted + "'";
+}
+
 std::string one_line(std::string_view text, std::size_t max_length) {
     const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
     std::size_t size = std::min(text.size(), max_length);
@@ -143,6 +159,11 @@ std::optional<std::vector<std::string>> shell_words(std::string_view line) {
     }
     if (quote != 0) return std::nullopt;
     return words;
+}
+
+std::string shell_quoted(std::string_view word) {
+    const bool plain = !word.empty() && word.find_first_of(" \t\n\"'\\$`*?[]{}()<>|&;#~!") == std::string_view::npos;
+    return plain ? std::string{word} : single_quoted(word, "'\\''");
 }
 
 std::string_view trimmed(std::string_view text) noexcept {

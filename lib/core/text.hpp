@@ -26,6 +26,12 @@ template <std::integral Count>
 /// "a, b, c"
 [[nodiscard]] std::string join(std::span<const std::string> words, std::string_view separator = ", ");
 
+/// The parts of `text` between the separators, trimmed; one empty part for an empty text.
+[[nodiscard]] std::vector<std::string> split(std::string_view text, char separator);
+
+/// `text` in single quotes. A quote in it becomes `escaped_quote`: '' in YAML and gnuplot.
+[[nodiscard]] std::string single_quoted(std::string_view text, std::string_view escaped_quote = "''");
+
 /// `text` as one line for a terminal: control characters and invalid UTF-8 become '?'; text beyond `max_length` bytes is replaced
 /// by "...".
 [[nodiscard]] std::string one_line(std::string_view text, std::size_t max_length = 120);
@@ -44,6 +50,9 @@ template <std::integral Count>
 /// escapes " and \, outside of quotes any character. Variables, patterns and comments are not supported. nullopt for an unclosed
 /// quote and for a backslash at the end.
 [[nodiscard]] std::optional<std::vector<std::string>> shell_words(std::string_view line);
+
+/// A word as a shell reads it back; quoted only if necessary. The inverse of shell_words.
+[[nodiscard]] std::string shell_quoted(std::string_view word);
 
 /// `text` without leading and trailing blanks (space, tab, carriage return, newline).
 [[nodiscard]] std::string_view trimmed(std::string_view text) noexcept;

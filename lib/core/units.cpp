@@ -18,105 +18,87 @@ namespace {
 /// 1 unit = factor x 10^power SI. Decimal prefixes use only the power, which is added to the exponent of the text.
 struct Unit {
     std::string_view name;
-    Dimension dimension;
     int power = 0;
     double factor = 1.0;
+};
+struct DimensionInfo {
+    std::string_view name, example;
+    std::vector<Unit> units;
 };
 
 constexpr double pound_force_N = 4.4482216152605, psi_Pa = 6894.757293168361;  // by definition of pound, g_n and inch
 /// Standard gravity, and the pressure of a mercury column per metre (conventional values, ISO 80000-4).
 constexpr double g_n = 9.80665, mercury_Pa_m = 13595.1 * g_n;
-constexpr std::array units = {
-    Unit{"%", Dimension::ratio, -2},
-    Unit{"m", Dimension::length},
-    Unit{"cm", Dimension::length, -2},
-    Unit{"mm", Dimension::length, -3},
-    Unit{"um", Dimension::length, -6},
-    Unit{"\u00B5m", Dimension::length, -6},
-    Unit{"\u03BCm", Dimension::length, -6},
-    Unit{"in", Dimension::length, -4, 254.0},
-    Unit{"inch", Dimension::length, -4, 254.0},
-    Unit{"ft", Dimension::length, -4, 3048.0},
-    Unit{"m^2", Dimension::area},
-    Unit{"cm^2", Dimension::area, -4},
-    Unit{"mm^2", Dimension::area, -6},
-    Unit{"in^2", Dimension::area, -8, 254.0 * 254.0},
-    Unit{"m^3", Dimension::volume},
-    Unit{"cm^3", Dimension::volume, -6},
-    Unit{"mm^3", Dimension::volume, -9},
-    Unit{"in^3", Dimension::volume, -12, 254.0 * 254.0 * 254.0},
-    Unit{"L", Dimension::volume, -3},
-    Unit{"l", Dimension::volume, -3},
-    Unit{"mL", Dimension::volume, -6},
-    Unit{"ml", Dimension::volume, -6},
-    Unit{"uL", Dimension::volume, -9},
-    Unit{"Pa", Dimension::pressure},
-    Unit{"hPa", Dimension::pressure, 2},
-    Unit{"kPa", Dimension::pressure, 3},
-    Unit{"MPa", Dimension::pressure, 6},
-    Unit{"GPa", Dimension::pressure, 9},
-    Unit{"N/m^2", Dimension::pressure},
-    Unit{"N/mm^2", Dimension::pressure, 6},
-    Unit{"kN/m^2", Dimension::pressure, 3},
-    Unit{"mbar", Dimension::pressure, 2},
-    Unit{"bar", Dimension::pressure, 5},
-    Unit{"atm", Dimension::pressure, 0, 101325.0},
-    Unit{"psi", Dimension::pressure, 0, psi_Pa},
-    Unit{"ksi", Dimension::pressure, 3, psi_Pa},
-    Unit{"mmHg", Dimension::pressure, -3, mercury_Pa_m},
-    Unit{"inHg", Dimension::pressure, -4, 254.0 * mercury_Pa_m},
-    Unit{"Torr", Dimension::pressure, 0, 101325.0 / 760.0},
-    Unit{"kgf/cm^2", Dimension::pressure, 4, g_n},
-    Unit{"kgf/mm^2", Dimension::pressure, 6, g_n},
-    Unit{"rad", Dimension::angle},
-    Unit{"deg", Dimension::angle, 0, std::numbers::pi / 180.0},
-    Unit{"\u00B0", Dimension::angle, 0, std::numbers::pi / 180.0},
-    Unit{"kg/m^3", Dimension::density},
-    Unit{"g/cm^3", Dimension::density, 3},
-    Unit{"g/mL", Dimension::density, 3},
-    Unit{"kg", Dimension::mass},
-    Unit{"g", Dimension::mass, -3},
-    Unit{"mg", Dimension::mass, -6},
-    Unit{"ug", Dimension::mass, -9},
-    Unit{"m/s^2", Dimension::acceleration},
-    Unit{"cm/s^2", Dimension::acceleration, -2},
-    Unit{"mm/s^2", Dimension::acceleration, -3},
-    Unit{"s", Dimension::time},
-    Unit{"ms", Dimension::time, -3},
-    Unit{"us", Dimension::time, -6},
-    Unit{"\u00B5s", Dimension::time, -6},
-    Unit{"\u03BCs", Dimension::time, -6},
-    Unit{"min", Dimension::time, 0, 60.0},
-    Unit{"1/s", Dimension::rate},
-    Unit{"1/ms", Dimension::rate, 3},
-    Unit{"Hz", Dimension::rate},
-    Unit{"kHz", Dimension::rate, 3},
-    Unit{"Pa.s/m^3", Dimension::flow_resistance},
-    Unit{"kPa.s/m^3", Dimension::flow_resistance, 3},
-    Unit{"MPa.s/m^3", Dimension::flow_resistance, 6},
-    Unit{"Pa.s/L", Dimension::flow_resistance, 3},
-    Unit{"kPa.s/L", Dimension::flow_resistance, 6},
-    Unit{"Pa.s/mL", Dimension::flow_resistance, 6},
-    Unit{"kPa.s/mL", Dimension::flow_resistance, 9},
-    Unit{"mbar.s/mL", Dimension::flow_resistance, 8},
-    Unit{"J", Dimension::energy},
-    Unit{"mJ", Dimension::energy, -3},
-    Unit{"uJ", Dimension::energy, -6},
-    Unit{"N", Dimension::force},
-    Unit{"mN", Dimension::force, -3},
-    Unit{"kN", Dimension::force, 3},
-    Unit{"lbf", Dimension::force, 0, pound_force_N},
-    Unit{"kgf", Dimension::force, 0, g_n},
-    Unit{"gf", Dimension::force, -3, g_n},
-    Unit{"N.m", Dimension::moment},
-    Unit{"Nm", Dimension::moment},
-    Unit{"N.mm", Dimension::moment, -3},
-    Unit{"Nmm", Dimension::moment, -3},
-    Unit{"mN.m", Dimension::moment, -3},
-    Unit{"1/m", Dimension::curvature},
-    Unit{"1/cm", Dimension::curvature, 2},
-    Unit{"1/mm", Dimension::curvature, 3},
-};
+/// Name, example and units of each dimension, in the order of the enumeration.
+const std::vector<DimensionInfo>& dimensions() {
+    static const std::vector<DimensionInfo> list = {
+        {"ratio", "1.5", {{"%", -2}}},
+        {"length",
+         "3 mm",
+         {{"m"},
+          {"cm", -2},
+          {"mm", -3},
+          {"um", -6},
+          {"\u00B5m", -6},
+          {"\u03BCm", -6},
+          {"in", -4, 254.0},
+          {"inch", -4, 254.0},
+          {"ft", -4, 3048.0}}},
+        {"area", "20 mm^2", {{"m^2"}, {"cm^2", -4}, {"mm^2", -6}, {"in^2", -8, 254.0 * 254.0}}},
+        {"volume",
+         "10 mL",
+         {{"m^3"},
+          {"cm^3", -6},
+          {"mm^3", -9},
+          {"in^3", -12, 254.0 * 254.0 * 254.0},
+          {"L", -3},
+          {"l", -3},
+          {"mL", -6},
+          {"ml", -6},
+          {"uL", -9}}},
+        {"pressure",
+         "30 kPa",
+         {{"Pa"},
+          {"hPa", 2},
+          {"kPa", 3},
+          {"MPa", 6},
+          {"GPa", 9},
+          {"N/m^2"},
+          {"N/mm^2", 6},
+          {"kN/m^2", 3},
+          {"mbar", 2},
+          {"bar", 5},
+          {"atm", 0, 101325.0},
+          {"psi", 0, psi_Pa},
+          {"ksi", 3, psi_Pa},
+          {"mmHg", -3, mercury_Pa_m},
+          {"inHg", -4, 254.0 * mercury_Pa_m},
+          {"Torr", 0, 101325.0 / 760.0},
+          {"kgf/cm^2", 4, g_n},
+          {"kgf/mm^2", 6, g_n}}},
+        {"angle", "30 deg", {{"rad"}, {"deg", 0, std::numbers::pi / 180.0}, {"\u00B0", 0, std::numbers::pi / 180.0}}},
+        {"density", "1080 kg/m^3", {{"kg/m^3"}, {"g/cm^3", 3}, {"g/mL", 3}}},
+        {"mass", "50 mg", {{"kg"}, {"g", -3}, {"mg", -6}, {"ug", -9}}},
+        {"acceleration", "9.81 m/s^2", {{"m/s^2"}, {"cm/s^2", -2}, {"mm/s^2", -3}}},
+        {"time", "0.5 s", {{"s"}, {"ms", -3}, {"us", -6}, {"\u00B5s", -6}, {"\u03BCs", -6}, {"min", 0, 60.0}}},
+        {"rate", "10 Hz", {{"1/s"}, {"1/ms", 3}, {"Hz"}, {"kHz", 3}}},
+        {"flow resistance",
+         "1e8 Pa.s/m^3",
+         {{"Pa.s/m^3"},
+          {"kPa.s/m^3", 3},
+          {"MPa.s/m^3", 6},
+          {"Pa.s/L", 3},
+          {"kPa.s/L", 6},
+          {"Pa.s/mL", 6},
+          {"kPa.s/mL", 9},
+          {"mbar.s/mL", 8}}},
+        {"energy", "5 mJ", {{"J"}, {"mJ", -3}, {"uJ", -6}}},
+        {"force", "2 N", {{"N"}, {"mN", -3}, {"kN", 3}, {"lbf", 0, pound_force_N}, {"kgf", 0, g_n}, {"gf", -3, g_n}}},
+        {"moment", "5 N.mm", {{"N.m"}, {"Nm"}, {"N.mm", -3}, {"Nmm", -3}, {"mN.m", -3}}},
+        {"curvature", "10 1/m", {{"1/m"}, {"1/cm", 2}, {"1/mm", 3}}},
+    };
+    return list;
+}
 
 /// Units for messages, from large to small within a dimension: the first one that gives a number of at least 1 is used.
 constexpr auto message_units = std::to_array<std::string_view>(
@@ -136,7 +118,7 @@ std::size_t digits_from(std::string_view text, std::size_t at) noexcept {
     return at;
 }
 
-Parts split(std::string_view text) noexcept {
+Parts parts_of(std::string_view text) noexcept {
     text = trimmed(text);
     const bool plus = text.starts_with('+');  // from_chars takes no plus sign
     if (plus) text.remove_prefix(1);
@@ -184,9 +166,17 @@ std::string with_article(std::string_view noun) {
     return (std::string_view{"aeiou"}.find(noun.front()) == std::string_view::npos ? "a " : "an ") + std::string{noun};
 }
 
-const Unit* find_unit(std::string_view name) noexcept {
-    const auto unit = std::find_if(units.begin(), units.end(), [&](const Unit& u) { return u.name == name; });
-    return unit == units.end() ? nullptr : &*unit;
+const DimensionInfo& info_of(Dimension dimension) noexcept { return dimensions()[static_cast<std::size_t>(dimension)]; }
+
+struct FoundUnit {
+    const Unit* unit = nullptr;  ///< nullptr: there is no such unit
+    Dimension dimension{};
+};
+FoundUnit find_unit(std::string_view name) noexcept {
+    for (std::size_t d = 0; d < dimensions().size(); ++d)
+        for (const Unit& unit : dimensions()[d].units)
+            if (unit.name == name) return {&unit, static_cast<Dimension>(d)};
+    return {};
 }
 
 /// "N/mm^2" for "N/mm\u00B2" and for "N/mm2", as testing machines write it.
@@ -238,72 +228,37 @@ Refusal unknown_unit(const Parts& parts, Dimension dimension) {
 
 std::vector<std::string> unit_names(std::optional<Dimension> dimension) {
     std::vector<std::string> names;
-    for (const Unit& unit : units) {
-        const bool ascii = unit.name.find_first_of("\xC2\xCE") == std::string_view::npos;
-        if (ascii && (!dimension || unit.dimension == *dimension)) names.emplace_back(unit.name);
-    }
+    for (std::size_t d = 0; d < dimensions().size(); ++d)
+        for (const Unit& unit : dimensions()[d].units) {
+            const bool ascii = unit.name.find_first_of("\xC2\xCE") == std::string_view::npos;
+            if (ascii && (!dimension || d == static_cast<std::size_t>(*dimension))) names.emplace_back(unit.name);
+        }
     return names;
 }
 
-std::string_view name(Dimension dimension) noexcept {
-    switch (dimension) {
-        case Dimension::ratio: return "ratio";
-        case Dimension::length: return "length";
-        case Dimension::area: return "area";
-        case Dimension::volume: return "volume";
-        case Dimension::pressure: return "pressure";
-        case Dimension::angle: return "angle";
-        case Dimension::density: return "density";
-        case Dimension::mass: return "mass";
-        case Dimension::acceleration: return "acceleration";
-        case Dimension::time: return "time";
-        case Dimension::rate: return "rate";
-        case Dimension::flow_resistance: return "flow resistance";
-        case Dimension::energy: return "energy";
-        case Dimension::force: return "force";
-        case Dimension::moment: return "moment";
-        case Dimension::curvature: return "curvature";
-    }
-    return "quantity";
-}
+std::string_view name(Dimension dimension) noexcept { return info_of(dimension).name; }
+std::string_view example(Dimension dimension) noexcept { return info_of(dimension).example; }
 
-std::string_view example(Dimension dimension) noexcept {
-    switch (dimension) {
-        case Dimension::ratio: return "1.5";
-        case Dimension::length: return "3 mm";
-        case Dimension::area: return "20 mm^2";
-        case Dimension::volume: return "10 mL";
-        case Dimension::pressure: return "30 kPa";
-        case Dimension::angle: return "30 deg";
-        case Dimension::density: return "1080 kg/m^3";
-        case Dimension::mass: return "50 mg";
-        case Dimension::acceleration: return "9.81 m/s^2";
-        case Dimension::time: return "0.5 s";
-        case Dimension::rate: return "10 Hz";
-        case Dimension::flow_resistance: return "1e8 Pa.s/m^3";
-        case Dimension::energy: return "5 mJ";
-        case Dimension::force: return "2 N";
-        case Dimension::moment: return "5 N.mm";
-        case Dimension::curvature: return "10 1/m";
-    }
-    return "1";
+std::optional<Dimension> dimension_of(std::string_view unit) {
+    const FoundUnit found = find_unit(with_plain_power(trimmed(unit)));
+    return found.unit == nullptr ? std::nullopt : std::optional{found.dimension};
 }
 
 Parsed<double> parse_quantity(std::string_view text, Dimension dimension) {
-    const Parts parts = split(text);
+    const Parts parts = parts_of(text);
     if (parts.number.empty()) return not_a_number(text, dimension);
     const std::string shown = quoted(trimmed(text));
     if (parts.unit.empty() && dimension != Dimension::ratio) {
-        const std::string_view unit = split(example(dimension)).unit;
+        const std::string_view unit = parts_of(example(dimension)).unit;
         return Refusal{shown + " has no unit, " + with_article(name(dimension)) + " is needed",
                        "write for example " + one_line(parts.number, max_number_length) + " " + std::string{unit}};
     }
-    const Unit* unit = find_unit(with_plain_power(parts.unit));
+    const auto [unit, stated] = find_unit(with_plain_power(parts.unit));
     if (!parts.unit.empty() && unit == nullptr) return unknown_unit(parts, dimension);
-    if (unit != nullptr && unit->dimension != dimension)
-        return Refusal{shown + " is " + with_article(name(unit->dimension)) + " where " +
-                           with_article(name(dimension)) + " is needed",
-                       advice(dimension)};
+    if (unit != nullptr && stated != dimension)
+        return Refusal{
+            shown + " is " + with_article(name(stated)) + " where " + with_article(name(dimension)) + " is needed",
+            advice(dimension)};
     const auto decimal = value_of(parts, unit == nullptr ? 0 : unit->power);
     const double value = decimal.value_or(0.0) * (unit == nullptr ? 1.0 : unit->factor);
     if (!decimal || !std::isfinite(value))
@@ -329,7 +284,7 @@ double quantity_or_throw(std::string_view text, Dimension dimension, ExitCode co
 }
 
 std::string tidy_quantity(std::string_view text) {
-    const Parts parts = split(text);
+    const Parts parts = parts_of(text);
     if (parts.number.empty()) return std::string{trimmed(text)};
     std::string tidy{parts.number};
     if (!parts.unit.empty()) tidy.append(" ").append(parts.unit);
@@ -348,8 +303,8 @@ std::string quantity_text(double si, Dimension dimension) {
     const Unit* chosen = nullptr;
     double value = 0;
     for (const std::string_view candidate : message_units) {
-        const Unit* unit = find_unit(candidate);
-        if (unit->dimension != dimension) continue;
+        const auto [unit, other] = find_unit(candidate);
+        if (other != dimension) continue;
         chosen = unit;
         value = si / (unit->factor * std::pow(10.0, unit->power));
         if (std::abs(value) >= 1.0 || (si == 0 && unit->power == 0)) break;

@@ -2,6 +2,7 @@
 /// Conversion of quantities with units ("3 mm", "40kPa", "1080 kg/m^3", "30 deg") to SI and back. Decimal prefixes are applied to
 /// the decimal text, so "0.1644 MPa" and "164400 Pa" give the same double. Independent of the locale; nan and inf are rejected.
 /// Tested by core/units_test.
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -59,6 +60,9 @@ struct QuantityParts {
 
 /// An SI value in a suitable unit ("3 mm", "164.4 kPa") with six digits: for messages, not for files.
 [[nodiscard]] std::string quantity_text(double si, Dimension dimension);
+
+/// The dimension of a unit; nullopt for an unknown unit.
+[[nodiscard]] std::optional<Dimension> dimension_of(std::string_view unit);
 
 /// Name of a dimension ("length"), and an example value ("3 mm").
 [[nodiscard]] std::string_view name(Dimension dimension) noexcept;

@@ -1,4 +1,4 @@
-#include "fit/covariance.hpp"
+#include "fit/quality.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,8 +8,6 @@
 #include <memory>
 
 #include "core/error.hpp"
-#include "fit/condensed.hpp"
-#include "fit/ogden_starts.hpp"
 #include "fit/quality.hpp"
 #include "fit/separable.hpp"
 

@@ -1,4 +1,4 @@
-#include "fit/ogden_starts.hpp"
+#include "fit/separable.hpp"
 
 #include <cmath>
 #include <limits>

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "core/text.hpp"
-#include "fit/covariance.hpp"
 
 namespace soft::fit {
 namespace {

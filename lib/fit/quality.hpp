@@ -15,4 +15,11 @@ struct Solution {
 
 [[nodiscard]] Fit describe(const Solution& solution, const std::vector<TestCurve>& tests, const Rows& rows);
 
+/// Covariance s^2 T (J'J)^-1 T' of the constants. s^2 is the sum of squares over the degrees of freedom. J is the Jacobian in the fit
+/// variables (linear constants, shapes q, offsets). T maps these to the constants of a design. Variables at a bound have zero
+/// covariance. Computed from the singular values of J with columns scaled to length 1. Source: Bjorck, Numerical
+/// Methods for Least Squares Problems (1996), 2.8. Tested by fit/fit_test (against the scatter of repeated tests), fit/treloar_test.
+/// Fills covariance, condition and the standard errors of fit.list.
+void add_covariance(const Solution& solution, const Rows& rows, Fit& fit);
+
 }  // namespace soft::fit

@@ -36,9 +36,7 @@ std::string line(const std::string& key, const std::string& value, const std::st
 /// One line, quoted so that no character of a file name can end it, and truncated to the length that a design allows.
 std::string yaml_text(const std::string& text) {
     constexpr std::size_t max_length = 200;
-    std::string quoted = "'";
-    for (const char c : core::one_line(text, max_length)) quoted += c == '\'' ? std::string{"''"} : std::string(1, c);
-    return quoted + "'";
+    return core::single_quoted(core::one_line(text, max_length));
 }
 
 /// The file name without directories, which differ between machines.

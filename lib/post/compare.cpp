@@ -48,14 +48,10 @@ ErrorSummary summarise(const Path& path, const Series& of, const Series& at) {
     return sum;
 }
 
-std::string with_unit(const Column& column, double value, int digits = 4) {
-    return core::rounded_text(value, digits) + (column.unit.empty() ? "" : " " + column.unit);
-}
-
 std::string location_text(const Curve& curve, const Measured& measured, const ErrorSummary& error) {
     const Series& at = *measured.find(error.at);
     const Column& column = curve.columns[error.at];
-    return column.quantity + " " + with_unit(column, at.values[error.max_row]) + " (" + measured.source + ":" +
+    return column.quantity + " " + value_text(column, at.values[error.max_row]) + " (" + measured.source + ":" +
            std::to_string(measured.lines[error.max_row]) + ")";
 }
 
@@ -91,9 +87,9 @@ std::vector<ErrorSummary> compare(const Curve& curve, const Measured& measured) 
     const Path::Range range = path.range(series.column);
     const auto [low, high] = std::minmax_element(series.values.begin(), series.values.end());
     throw Error(ExitCode::bad_input, measured.source, "no point lies on the path",
-                column.quantity + " ranges from " + with_unit(column, *low) + " to " + with_unit(column, *high) +
-                    " in the data and from " + with_unit(column, range.lowest) + " to " +
-                    with_unit(column, range.highest) + " on the path");
+                column.quantity + " ranges from " + value_text(column, *low) + " to " + value_text(column, *high) +
+                    " in the data and from " + value_text(column, range.lowest) + " to " +
+                    value_text(column, range.highest) + " on the path");
 }
 
 std::string csv_text(const Curve& curve, const Measured& measured, std::span<const ErrorSummary> errors) {
@@ -120,9 +116,9 @@ std::vector<std::string> summary_lines(const Curve& curve, const Measured& measu
     lines.push_back(measured.source + ": " + core::join(origins));
     for (const ErrorSummary& error : errors) {
         const Column& of = curve.columns[error.of];
-        lines.push_back(name_of(curve, error) + ": mean error " + with_unit(of, error.mean, 3) +
-                        ", mean absolute error " + with_unit(of, error.mean_absolute, 3) + ", RMS " +
-                        with_unit(of, error.rms, 3) + ", largest " + with_unit(of, error.largest, 3) + " at " +
+        lines.push_back(name_of(curve, error) + ": mean error " + value_text(of, error.mean, 3) +
+                        ", mean absolute error " + value_text(of, error.mean_absolute, 3) + ", RMS " +
+                        value_text(of, error.rms, 3) + ", largest " + value_text(of, error.largest, 3) + " at " +
                         location_text(curve, measured, error) +
                         (error.r2 ? ", R2 " + core::rounded_text(*error.r2, 4) : "") + "; " + points_text(error));
     }
@@ -139,16 +135,16 @@ std::vector<Claim> check_max_error(const Curve& curve, const Measured& measured,
         const double allowed = in_column_unit(of, std::get<double>(parsed));
         if (allowed < 0)
             throw Error(ExitCode::usage, "--max-error", core::quoted(limit) + " is negative", "give a positive limit");
-        Claim claim{"largest error of " + name_of(curve, error) + " is at most " + with_unit(of, allowed) + " (" +
+        Claim claim{"largest error of " + name_of(curve, error) + " is at most " + value_text(of, allowed) + " (" +
                         points_text(error) + ")",
                     ""};
         if (std::abs(error.largest) > allowed)
-            claim.failure = "the largest error of " + name_of(curve, error) + " is " + with_unit(of, error.largest) +
-                            " at " + location_text(curve, measured, error) + ", allowed is " + with_unit(of, allowed);
+            claim.failure = "the largest error of " + name_of(curve, error) + " is " + value_text(of, error.largest) +
+                            " at " + location_text(curve, measured, error) + ", allowed is " + value_text(of, allowed);
         else if (error.left_out > 0)
             claim.failure = core::counted(error.left_out, "measured point") + " of " +
                             std::to_string(error.points + error.left_out) + " lie beyond the path, so the limit of " +
-                            with_unit(of, allowed) + " of " + name_of(curve, error) +
+                            value_text(of, allowed) + " of " + name_of(curve, error) +
                             " cannot be checked; extend the path (path.until), or remove them from " + measured.source;
         claims.push_back(std::move(claim));
     }

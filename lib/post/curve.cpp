@@ -1,11 +1,11 @@
 #include "post/curve.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 
 namespace soft::post {
 namespace {
@@ -77,140 +77,178 @@ Column leading_column(const model::Case& model) {
                       "fraction of the loads, if the case has no pressure, traction or force");
 }
 
-/// Quantities of a step that are part of the table only on request.
-struct OnDemand {
-    using Number = std::function<std::optional<double>(const model::Step&)>;
+using Step = model::Step;
+using Value = std::optional<double>;
+
+/// A column and how it reads a step. An optional column is part of the curve only if there are steps and all of them have a value.
+struct Entry {
     Column column;
-    Number value_SI;
-    Number slope_SI = [](const model::Step&) { return std::nullopt; };
+    std::function<Value(const Step&)> value_SI;
+    std::function<Value(const Step&)> slope_SI = [](const Step&) { return std::nullopt; };
+    bool is_optional = false;
 };
 
-std::vector<OnDemand> on_demand(const model::Case& model) {
-    std::vector<OnDemand> list;
-    const auto add = [&](const char* name, const Unit& unit, const char* meaning, auto value) {
-        list.push_back({with_unit(name, unit, Role::dependent, meaning), value});
-        list.back().column.shown = Shown::on_demand;
-    };
-    using Step = model::Step;
-    using Value = std::optional<double>;
-    add("stored_energy", millijoule, "strain energy stored in the whole actuator",
-        [](const Step& s) { return s.energies ? Value(s.energies->stored_J) : std::nullopt; });
-    add("load_work", millijoule, "work done by the loads since the start of the path",
-        [](const Step& s) { return s.energies ? Value(s.energies->load_work_J) : std::nullopt; });
-    for (OnDemand& energy : list) energy.slope_SI = [](const Step& s) { return s.energies->tangent_J; };
-    const auto position = [](std::size_t i) {
-        return [i](const Step& s) { return s.extremes ? Value(s.extremes->stretch_at_m[i]) : std::nullopt; };
-    };
-    add("max_stretch_x", millimetre, "undeformed position of max_stretch", position(0));
-    if (model.kinematics == model::Kinematics::axisymmetric)
-        add("max_stretch_r", millimetre, "undeformed position of max_stretch", position(1));
-    else
-        add("max_stretch_y", millimetre, "undeformed position of max_stretch", position(1));
-    if (model.kinematics == model::Kinematics::solid)
-        add("max_stretch_z", millimetre, "undeformed position of max_stretch", position(2));
-    add("max_energy_density", per_volume, "largest strain energy per undeformed volume at a quadrature point",
-        [](const Step& s) { return s.extremes ? Value(s.extremes->energy_J_m3) : std::nullopt; });
-    return list;
+Value value_of(std::optional<bool> flag) { return flag ? Value(*flag ? 1 : 0) : std::nullopt; }
+Value value_of(const std::vector<double>& list, std::size_t i) {
+    return i < list.size() ? Value(list[i]) : std::nullopt;
 }
 
-/// Columns of dynamic cases only: the time, which parametrises the path, and the energies.
-struct MotionColumns {
-    using Motion = model::Step::Motion;
-    struct Energy {
-        Column column;
-        double Motion::*value;
-    };
-    Column time = coordinate("time", second, Source::time, "time since the undeformed state at rest");
-    std::vector<Energy> energies;
+/// Adds a value of a list of a step and its derivative along the path, 0 if it is not known.
+void add_item(std::vector<Entry>& entries, Column column, std::size_t i, std::vector<double> Step::*values,
+              std::vector<double> Step::*slopes) {
+    entries.push_back({std::move(column), [=](const Step& step) { return value_of(step.*values, i); },
+                       [=](const Step& step) { return value_of(step.*slopes, i).value_or(0); }});
+}
 
-    MotionColumns() {
-        const auto add = [&](const char* name, double Motion::*value, const char* meaning) {
-            energies.push_back({with_unit(name, millijoule, Role::dependent, meaning), value});
-        };
-        add("kinetic_energy", &Motion::kinetic_energy_J, "kinetic energy of the whole actuator, dynamic cases only");
-        add("stored_energy", &Motion::stored_energy_J, "strain energy stored in the whole actuator");
-        add("load_work", &Motion::load_work_J, "work done by the loads since the start of the path");
-        add("damping_work", &Motion::damping_work_J, "energy dissipated by damping, dynamic cases only");
-    }
-    void push(const Motion& motion) {
-        time.values.push_back(motion.time_s);
-        time.slopes.push_back(1);  // the other slopes are derivatives by time
-        for (Energy& energy : energies)
-            energy.column.values.push_back(in_column_unit(energy.column, motion.*energy.value));
-    }
-};
-
-/// Columns of the list members of a step: outputs, and pressures and volumes of cases with several.
-struct ListColumns {
-    std::vector<Column> columns;
-    std::vector<double> model::Step::*values;
-    std::vector<double> model::Step::*slopes;
-    const char* what;
-};
-
-ListColumns output_columns(const model::Case& model) {
-    ListColumns list{{}, &model::Step::outputs, &model::Step::tangent_outputs, "outputs"};
+void add_coordinates(std::vector<Entry>& entries, const model::Case& model) {
+    entries.push_back({leading_column(model), [](const Step& step) { return step.pressure_Pa; },
+                       [](const Step& step) { return step.tangent_pressure; }});
     for (std::size_t i = 0; i < model.outputs.size(); ++i) {
         const model::Output& output = model.outputs[i];
-        list.columns.push_back(coordinate(
-            output.name, column_unit(output.measure), Source::output,
-            std::string{model::info_of(output.measure).meaning} + ": " + (output.point_m ? "a point" : output.face),
-            i));
+        add_item(entries,
+                 coordinate(output.name, column_unit(output.measure), Source::output,
+                            std::string{model::info_of(output.measure).meaning} + ": " +
+                                (output.point_m ? "a point" : output.face),
+                            i),
+                 i, &Step::outputs, &Step::tangent_outputs);
     }
-    return list;
-}
-
-ListColumns pressure_columns(const model::Case& model) {
-    ListColumns list{{}, &model::Step::pressures_Pa, &model::Step::tangent_pressures, "pressures"};
-    if (model.loads.size() > 1)
-        for (const model::PressureLoad& load : model.loads)
-            list.columns.push_back(coordinate("pressure_" + load.name, kilopascal, Source::other,
-                                              "gauge pressure of each load, if there are several"));
-    return list;
-}
-
-ListColumns volume_columns(const model::Case& model) {
-    ListColumns list{{}, &model::Step::volumes_m3, &model::Step::tangent_volumes, "volumes"};
+    entries.push_back({coordinate("volume", millilitre, Source::volume,
+                                  "volume enclosed by the cavities of the first load, whole actuator"),
+                       [](const Step& step) { return step.volume_m3; },
+                       [](const Step& step) { return step.tangent_volume; }, true});
+    for (std::size_t i = 0; model.loads.size() > 1 && i < model.loads.size(); ++i)
+        add_item(entries,
+                 coordinate("pressure_" + model.loads[i].name, kilopascal, Source::other,
+                            "gauge pressure of each load, if there are several"),
+                 i, &Step::pressures_Pa, &Step::tangent_pressures);
     const auto cavities = model::measured_cavities(model);
-    if (cavities.size() > 1)
-        for (const model::Cavity* cavity : cavities)
-            list.columns.push_back(coordinate("volume_" + cavity->name, millilitre, Source::other,
-                                              "volume enclosed by each cavity, if there are several"));
-    return list;
+    for (std::size_t i = 0; cavities.size() > 1 && i < cavities.size(); ++i)
+        add_item(entries,
+                 coordinate("volume_" + cavities[i]->name, millilitre, Source::other,
+                            "volume enclosed by each cavity, if there are several"),
+                 i, &Step::volumes_m3, &Step::tangent_volumes);
 }
 
-void push(Column& column, double value_SI, double slope_SI) {
-    column.values.push_back(in_column_unit(column, value_SI));
-    column.slopes.push_back(in_column_unit(column, slope_SI));
+/// Errors of the load and of the outputs.
+void add_errors(std::vector<Entry>& entries) {
+    std::vector<Entry> errors;
+    for (const Entry& entry : entries) {
+        const Column& of = entry.column;
+        const auto error = [source = of.source, i = of.index](const Step& step) {
+            return source == Source::load ? step.pressure_error_Pa : value_of(step.output_errors, i);
+        };
+        if (of.source == Source::load || of.source == Source::output)
+            errors.push_back({.column = error_column(of), .value_SI = error, .is_optional = true});
+    }
+    entries.insert(entries.end(), errors.begin(), errors.end());
 }
 
-void push(ListColumns& list, const model::Step& step) {
-    const auto& values = step.*list.values;
-    const auto& slopes = step.*list.slopes;
-    for (std::size_t i = 0; i < list.columns.size(); ++i)
-        push(list.columns[i], values[i], i < slopes.size() ? slopes[i] : 0);
+void add_motion_energies(std::vector<Entry>& entries) {
+    const auto add = [&](const char* name, double Step::Motion::*energy, const char* meaning) {
+        entries.push_back(
+            {.column = with_unit(name, millijoule, Role::dependent, meaning),
+             .value_SI =
+                 [energy](const Step& step) { return step.motion ? Value((*step.motion).*energy) : std::nullopt; },
+             .is_optional = true});
+    };
+    using Motion = Step::Motion;
+    add("kinetic_energy", &Motion::kinetic_energy_J, "kinetic energy of the whole actuator, dynamic cases only");
+    add("stored_energy", &Motion::stored_energy_J, "strain energy stored in the whole actuator");
+    add("load_work", &Motion::load_work_J, "work done by the loads since the start of the path");
+    add("damping_work", &Motion::damping_work_J, "energy dissipated by damping, dynamic cases only");
 }
 
-void check(std::span<const model::Step> steps, std::span<const ListColumns> lists) {
+void add_local_values(std::vector<Entry>& entries) {
+    entries.push_back({plain("stretch_p99", Role::dependent,
+                             "principal stretch exceeded in 1 % of the rubber; converges with the mesh"),
+                       [](const Step& step) { return step.stretch_p99; }});
+    entries.push_back({plain("max_stretch", Role::dependent, "largest principal stretch at a quadrature point"),
+                       [](const Step& step) { return step.max_stretch; }});
+    entries.push_back({plain("min_J", Role::dependent, "smallest volume ratio J at a quadrature point"),
+                       [](const Step& step) { return step.min_jacobian; }});
+    entries.push_back({plain("stable", Role::flag, "1 if the state is stable under the loads as stated in the design"),
+                       [](const Step& step) { return value_of(step.stable); }});
+    entries.push_back({.column = plain("stable_under_control", Role::flag,
+                                       "1 if the state is stable under the control used, such as a prescribed volume"),
+                       .value_SI = [](const Step& step) { return value_of(step.stable_under_control); },
+                       .is_optional = true});
+}
+
+/// Quantities that are part of the table only on request.
+void add_on_demand(std::vector<Entry>& entries, const model::Case& model) {
+    const auto add = [&](const char* name, const Unit& unit, const char* meaning, auto value) -> Entry& {
+        entries.push_back(
+            {.column = with_unit(name, unit, Role::dependent, meaning), .value_SI = value, .is_optional = true});
+        entries.back().column.shown = Shown::on_demand;
+        return entries.back();
+    };
+    const auto tangent = [](const Step& s) { return s.energies->tangent_J; };
+    add("stored_energy", millijoule, "strain energy stored in the whole actuator", [](const Step& s) {
+        return s.energies ? Value(s.energies->stored_J) : std::nullopt;
+    }).slope_SI = tangent;
+    add("load_work", millijoule, "work done by the loads since the start of the path", [](const Step& s) {
+        return s.energies ? Value(s.energies->load_work_J) : std::nullopt;
+    }).slope_SI = tangent;
+    const auto position = [&](const char* name, std::size_t i) {
+        add(name, millimetre, "undeformed position of max_stretch",
+            [i](const Step& s) { return s.extremes ? Value(s.extremes->stretch_at_m[i]) : std::nullopt; });
+    };
+    position("max_stretch_x", 0);
+    position(model.kinematics == model::Kinematics::axisymmetric ? "max_stretch_r" : "max_stretch_y", 1);
+    if (model.kinematics == model::Kinematics::solid) position("max_stretch_z", 2);
+    add("max_energy_density", per_volume, "largest strain energy per undeformed volume at a quadrature point",
+        [](const Step& s) { return s.extremes ? Value(s.extremes->energy_J_m3) : std::nullopt; });
+}
+
+std::vector<Entry> entries_of(const model::Case& model, std::span<const Step> steps) {
+    std::vector<Entry> entries;
+    entries.push_back({plain("step", Role::counter, "number of the row"),
+                       [first = steps.data()](const Step& step) { return static_cast<double>(&step - first); }});
+    entries.push_back({coordinate("time", second, Source::time, "time since the undeformed state at rest"),
+                       [](const Step& step) { return step.motion ? Value(step.motion->time_s) : std::nullopt; },
+                       [](const Step&) { return 1; },  // the other slopes are derivatives by time
+                       true});
+    if (model.path.stages.size() > 1)
+        entries.push_back({plain("stage", Role::stage, "number of the stage, from 1, if the path has several"),
+                           [](const Step& step) { return step.stage + 1; }});
+    add_coordinates(entries, model);
+    add_errors(entries);
+    for (std::size_t i = 0; !steps.empty() && i < steps.front().frequencies_Hz.size(); ++i)
+        entries.push_back({with_unit("frequency_" + std::to_string(i + 1), hertz, Role::dependent,
+                                     "natural frequency 1, 2 ... about the state, loads held; negative: unstable"),
+                           [i](const Step& step) { return step.frequencies_Hz[i]; }});
+    add_motion_energies(entries);
+    add_local_values(entries);
+    add_on_demand(entries, model);
+    return entries;
+}
+
+void check(const model::Case& model, std::span<const Step> steps) {
+    const std::size_t loads = model.loads.size() > 1 ? model.loads.size() : 0,
+                      cavities = model::measured_cavities(model).size();
     for (std::size_t row = 0; row < steps.size(); ++row) {
-        const model::Step& step = steps[row];
+        const Step &step = steps[row], &first = steps.front();
         const std::string location = "path, step " + std::to_string(row);
-        for (const ListColumns& list : lists)
-            if ((step.*list.values).size() != list.columns.size())
-                throw Error(ExitCode::bad_input, location,
-                            std::to_string((step.*list.values).size()) + " " + list.what +
-                                " are recorded, the case has " + std::to_string(list.columns.size()));
-        if (step.volume_m3.has_value() != steps.front().volume_m3.has_value())
-            throw Error(ExitCode::bad_input, location, "the cavity volume is recorded at some of the steps only");
-        if (step.motion.has_value() != steps.front().motion.has_value())
-            throw Error(ExitCode::bad_input, location, "the time is recorded at some of the steps only");
-        if (step.frequencies_Hz.size() != steps.front().frequencies_Hz.size())
-            throw Error(ExitCode::bad_input, location,
-                        "the natural frequencies are recorded at some of the steps only");
-        const bool has_errors = steps.front().pressure_error_Pa.has_value();
-        if (step.pressure_error_Pa.has_value() != has_errors ||
-            step.output_errors.size() != (has_errors ? lists.front().columns.size() : 0))
-            throw Error(ExitCode::bad_input, location, "the errors are recorded at some of the steps only");
+        const auto check_count = [&](const std::vector<double>& list, std::size_t count, const char* what) {
+            if (list.size() != count)
+                throw Error(
+                    ExitCode::bad_input, location,
+                    std::to_string(list.size()) + " " + what + " are recorded, the case has " + std::to_string(count));
+        };
+        check_count(step.outputs, model.outputs.size(), "outputs");
+        check_count(step.pressures_Pa, loads, "pressures");
+        check_count(step.volumes_m3, cavities > 1 ? cavities : 0, "volumes");
+        const auto check_same = [&](bool same, const char* what) {
+            if (!same)
+                throw Error(ExitCode::bad_input, location, std::string{what} + " recorded at some of the steps only");
+        };
+        check_same(step.volume_m3.has_value() == first.volume_m3.has_value(), "the cavity volume is");
+        check_same(step.motion.has_value() == first.motion.has_value(), "the time is");
+        check_same(step.frequencies_Hz.size() == first.frequencies_Hz.size(), "the natural frequencies are");
+        const bool has_errors = first.pressure_error_Pa.has_value();
+        check_same(step.pressure_error_Pa.has_value() == has_errors &&
+                       step.output_errors.size() == (has_errors ? model.outputs.size() : 0),
+                   "the errors are");
     }
 }
 
@@ -223,9 +261,17 @@ double in_column_unit(const Column& column, double value_SI) noexcept {
     return value_SI / column.SI_per_unit;
 }
 
+std::string value_text(const Column& column, double value, int digits) {
+    return core::rounded_text(value, digits) + (column.unit.empty() ? "" : " " + column.unit);
+}
+
 const Column* Curve::find(std::string_view quantity) const noexcept {
-    const auto hit =
-        std::find_if(columns.begin(), columns.end(), [&](const Column& column) { return column.quantity == quantity; });
+    const auto hit = std::ranges::find(columns, quantity, &Column::quantity);
+    return hit == columns.end() ? nullptr : &*hit;
+}
+
+const Column* Curve::find(Source source) const noexcept {
+    const auto hit = std::ranges::find(columns, source, &Column::source);
     return hit == columns.end() ? nullptr : &*hit;
 }
 
@@ -237,83 +283,18 @@ std::string Curve::coordinate_names() const {
 }
 
 Curve make_curve(const model::Case& model, std::span<const model::Step> steps) {
-    std::array lists{output_columns(model), pressure_columns(model), volume_columns(model)};
-    check(steps, lists);
-    const bool has_volume = !steps.empty() && steps.front().volume_m3.has_value();
-    const bool moves = !steps.empty() && steps.front().motion.has_value();
-    MotionColumns motion;
-
-    Column number = plain("step", Role::counter, "number of the row");
-    Column stage = plain("stage", Role::stage, "number of the stage, from 1, if the path has several");
-    Column load = leading_column(model);
-    Column volume = coordinate("volume", millilitre, Source::volume,
-                               "volume enclosed by the cavities of the first load, whole actuator");
-    std::vector<Column> errors;
-    if (!steps.empty() && steps.front().pressure_error_Pa) {
-        errors.push_back(error_column(load));
-        for (const Column& output : lists[0].columns) errors.push_back(error_column(output));
-    }
-    Column p99 = plain("stretch_p99", Role::dependent,
-                       "principal stretch exceeded in 1 % of the rubber; converges with the mesh");
-    Column largest = plain("max_stretch", Role::dependent, "largest principal stretch at a quadrature point");
-    Column jacobian = plain("min_J", Role::dependent, "smallest volume ratio J at a quadrature point");
-    Column stable = plain("stable", Role::flag, "1 if the state is stable under the loads as stated in the design");
-    Column controlled = plain("stable_under_control", Role::flag,
-                              "1 if the state is stable under the control used, such as a prescribed volume");
-    const bool has_controlled = !steps.empty() && std::ranges::all_of(steps, [](const model::Step& step) {
-        return step.stable_under_control.has_value();
-    });
-    std::vector<Column> frequencies;
-    for (std::size_t k = 1; !steps.empty() && k <= steps.front().frequencies_Hz.size(); ++k)
-        frequencies.push_back(with_unit("frequency_" + std::to_string(k), hertz, Role::dependent,
-                                        "natural frequency 1, 2 ... about the state, loads held; negative: unstable"));
-    std::vector<OnDemand> extras = on_demand(model);
-    std::erase_if(extras, [&](const OnDemand& extra) {
-        return !std::ranges::all_of(steps, [&](const model::Step& step) { return extra.value_SI(step).has_value(); }) ||
-               steps.empty();
-    });
-    for (const model::Step& step : steps) {
-        number.values.push_back(static_cast<double>(number.values.size()));
-        if (moves) motion.push(*step.motion);
-        stage.values.push_back(step.stage + 1);
-        push(load, step.pressure_Pa, step.tangent_pressure);
-        if (has_volume) push(volume, *step.volume_m3, step.tangent_volume);
-        for (ListColumns& list : lists) push(list, step);
-        for (std::size_t i = 0; i < errors.size(); ++i)
-            errors[i].values.push_back(
-                in_column_unit(errors[i], i == 0 ? *step.pressure_error_Pa : step.output_errors[i - 1]));
-        p99.values.push_back(step.stretch_p99);
-        largest.values.push_back(step.max_stretch);
-        jacobian.values.push_back(step.min_jacobian);
-        stable.values.push_back(step.stable ? 1 : 0);
-        controlled.values.push_back(step.stable_under_control.value_or(step.stable) ? 1 : 0);
-        for (std::size_t k = 0; k < frequencies.size(); ++k) frequencies[k].values.push_back(step.frequencies_Hz[k]);
-        for (OnDemand& extra : extras) {
-            extra.column.values.push_back(in_column_unit(extra.column, *extra.value_SI(step)));
-            if (const auto slope = extra.slope_SI(step))
-                extra.column.slopes.push_back(in_column_unit(extra.column, *slope));
-        }
-    }
-    for (OnDemand& extra : extras)
-        if (extra.column.slopes.size() != steps.size()) extra.column.slopes.clear();
-
+    check(model, steps);
     Curve curve;
-    const auto add = [&](Column& column) { curve.columns.push_back(std::move(column)); };
-    add(number);
-    if (moves) add(motion.time);
-    if (model.path.stages.size() > 1) add(stage);
-    add(load);
-    for (Column& column : lists[0].columns) add(column);
-    if (has_volume) add(volume);
-    for (std::size_t i = 1; i < lists.size(); ++i)
-        for (Column& column : lists[i].columns) add(column);
-    for (Column& column : errors) add(column);
-    for (Column& column : frequencies) add(column);
-    if (moves)
-        for (auto& energy : motion.energies) add(energy.column);
-    for (Column* column : {&p99, &largest, &jacobian, &stable}) add(*column);
-    if (has_controlled) add(controlled);
-    for (OnDemand& extra : extras) add(extra.column);
+    for (Entry& entry : entries_of(model, steps)) {
+        const auto has_value = [&](const Step& step) { return entry.value_SI(step).has_value(); };
+        if (entry.is_optional && (steps.empty() || !std::ranges::all_of(steps, has_value))) continue;
+        Column& column = curve.columns.emplace_back(std::move(entry.column));
+        for (const Step& step : steps) {
+            column.values.push_back(in_column_unit(column, *entry.value_SI(step)));
+            if (const Value slope = entry.slope_SI(step)) column.slopes.push_back(in_column_unit(column, *slope));
+        }
+        if (column.slopes.size() != steps.size()) column.slopes.clear();
+    }
     return curve;
 }
 

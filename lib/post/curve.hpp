@@ -59,12 +59,19 @@ struct Column {
 /// Converts an SI value to the unit of the column. Round values stay round (30000 Pa is 30 kPa, 0.13 m is 130 mm).
 [[nodiscard]] double in_column_unit(const Column& column, double value_SI) noexcept;
 
+/// "3.2 kPa": a value in the unit of the column, for messages.
+[[nodiscard]] std::string value_text(const Column& column, double value, int digits = 4);
+
 struct Curve {
     std::vector<Column> columns;
 
     [[nodiscard]] std::size_t row_count() const noexcept { return columns.empty() ? 0 : columns.front().values.size(); }
-    /// nullptr if there is no such column.
+    /// The first such column; nullptr if there is none.
     [[nodiscard]] const Column* find(std::string_view quantity) const noexcept;
+    [[nodiscard]] const Column* find(Source source) const noexcept;
+    [[nodiscard]] std::size_t index_of(const Column& column) const noexcept {
+        return static_cast<std::size_t>(&column - columns.data());
+    }
     /// "pressure, elongation, volume": the quantities that --at accepts.
     [[nodiscard]] std::string coordinate_names() const;
 };

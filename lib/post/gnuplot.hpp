@@ -1,5 +1,6 @@
 #pragma once
-/// Runs the program gnuplot without a shell: script in, picture out. Tested by post/gnuplot_test.
+/// Runs the program gnuplot without a shell: script in, picture out; and the common style of all plots as lines of a script.
+/// Tested by post/gnuplot_test and post/plot_test.
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -10,6 +11,17 @@ namespace soft::post {
 
 /// The text in single quotes, in which only the quote itself is special: one line without control characters, in UTF-8.
 [[nodiscard]] std::string gnuplot_text(std::string_view text);
+
+enum class PictureFormat { svg, png, pdf };
+
+/// Format by the file extension; throws Error(usage) for an unknown one.
+[[nodiscard]] PictureFormat picture_format(const std::filesystem::path& file);
+
+/// The terminal for the given number of panels side by side. SVG and PDF are scalable; PNG has twice the pixels for printing.
+[[nodiscard]] std::string terminal(PictureFormat format, int panels = 1);
+
+/// Grid, borders and tics.
+[[nodiscard]] std::string axes_style();
 
 /// The output of gnuplot (found along PATH) on stdout for `script`, without the user's start-up files and variables. The output passes
 /// through a pipe: gnuplot reports success even if its writes fail, so it must not write to a disk itself. Throws

@@ -137,7 +137,7 @@ Hermite progress(const Metric& metric, const Curve& curve, const std::vector<std
                  std::size_t interval, double chord) {
     Hermite progress{0, 1, 0, 0};
     for (std::size_t k = 0; k < metric.columns.size(); ++k) {
-        const Hermite& piece = pieces[static_cast<std::size_t>(metric.columns[k] - curve.columns.data())][interval];
+        const Hermite& piece = pieces[curve.index_of(*metric.columns[k])][interval];
         const double share =
             (piece.q1 - piece.q0) * metric.inverse_range[k] * metric.inverse_range[k] / (chord * chord);
         progress.m0 += piece.m0 * share;
@@ -171,18 +171,14 @@ std::vector<EndSlopes> slopes_by_stage(std::span<const double> s, std::span<cons
 /// True if the solver provides the derivative of the column along the path.
 bool has_slopes(const Column& column) { return column.role == Role::coordinate || !column.slopes.empty(); }
 
-const Column* first_of(const Curve& curve, auto is_wanted) {
-    const auto column = std::find_if(curve.columns.begin(), curve.columns.end(), is_wanted);
-    return column == curve.columns.end() ? nullptr : &*column;
-}
-
 }  // namespace
 
 Path::Path(const Curve& curve) : curve_(&curve) {
     if (curve.row_count() == 0) throw Error(ExitCode::bad_input, "path", "the result contains no steps");
     const Metric metric(curve);
-    const Column* stage = first_of(curve, [](const Column& column) { return column.role == Role::stage; });
-    const Column* time = first_of(curve, [](const Column& column) { return column.source == Source::time; });
+    const Column* stage = curve.find("stage");
+    if (stage != nullptr && stage->role != Role::stage) stage = nullptr;  // an output of this name
+    const Column* time = curve.find(Source::time);
     std::vector<Speeds> speeds;
     std::vector<double> chords{0};  // cumulative
     std::vector<std::size_t> corners;

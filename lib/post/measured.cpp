@@ -34,13 +34,13 @@ public:
             throw Error(ExitCode::usage, "--columns", "the curve has no " + core::quoted(choice.quantity),
                         "it has " + curve_.coordinate_names());
         const std::size_t number = numbered(choice);
-        if (has(index_of(*column)))
+        if (has(curve_.index_of(*column)))
             throw Error(ExitCode::usage, "--columns", core::quoted(choice.quantity) + " is given twice",
                         "name each quantity once");
         if (assigned_[number] != 0)
             throw Error(ExitCode::usage, "--columns " + choice.quantity,
                         core::column_text(file_, number) + " is already assigned", "name each column once");
-        add(index_of(*column), number, choice.unit);
+        add(curve_.index_of(*column), number, choice.unit);
     }
 
     void match_names() {
@@ -84,10 +84,6 @@ public:
     [[nodiscard]] const std::vector<Match>& matches() const noexcept { return matches_; }
 
 private:
-    [[nodiscard]] std::size_t index_of(const Column& column) const {
-        return static_cast<std::size_t>(&column - curve_.columns.data());
-    }
-
     [[nodiscard]] std::size_t numbered(const ColumnChoice& choice) const {
         std::size_t number = 0;
         const std::string& text = choice.column;
@@ -134,16 +130,6 @@ std::string column_list(const core::Table& file) {
     return core::one_line(core::join(names), 300);
 }
 
-std::vector<std::string> split(std::string_view text, char separator) {
-    std::vector<std::string> parts;
-    while (true) {
-        const std::size_t at = text.find(separator);
-        parts.emplace_back(core::trimmed(text.substr(0, at)));
-        if (at == std::string_view::npos) return parts;
-        text.remove_prefix(at + 1);
-    }
-}
-
 }  // namespace
 
 const Series* Measured::find(std::size_t column) const noexcept {
@@ -155,7 +141,7 @@ const Series* Measured::find(std::size_t column) const noexcept {
 std::vector<ColumnChoice> parse_column_choices(std::string_view text) {
     std::vector<ColumnChoice> choices;
     if (core::trimmed(text).empty()) return choices;
-    for (const std::string& part : split(text, ',')) {
+    for (const std::string& part : core::split(text, ',')) {
         const std::size_t equals = part.find('=');
         const std::string right = equals == std::string::npos ? "" : part.substr(equals + 1);
         const std::size_t colon = right.rfind(':');
@@ -175,9 +161,7 @@ Measured read_measured(const core::Table& file, const Curve& curve, std::span<co
     for (const ColumnChoice& choice : choices) matcher.choose(choice);
     matcher.match_names();
 
-    const bool moves = std::any_of(curve.columns.begin(), curve.columns.end(),
-                                   [](const Column& c) { return c.source == Source::time; });
-    const Source base = moves ? Source::time : Source::load;
+    const Source base = curve.find(Source::time) != nullptr ? Source::time : Source::load;
     const auto found = [&](auto wanted) {
         for (std::size_t i = 0; i < curve.columns.size(); ++i)
             if (wanted(curve.columns[i]) && matcher.has(i)) return true;
@@ -190,11 +174,10 @@ Measured read_measured(const core::Table& file, const Curve& curve, std::span<co
         matcher.match_units(
             [](const Column& column) { return column.source == Source::output || column.source == Source::volume; });
     if (!found(is_base) || !found(is_other)) {
-        const Column& column = *std::find_if(curve.columns.begin(), curve.columns.end(), is_base);
-        const auto lacks =
-            found(is_base) ? std::find_if(curve.columns.begin(), curve.columns.end(),
-                                          [&](const Column& c) { return c.role == Role::coordinate && is_other(c); })
-                           : curve.columns.begin() + (&column - curve.columns.data());
+        const Column& column = *curve.find(base);
+        const auto lacks = std::ranges::find_if(curve.columns, [&](const Column& c) {
+            return found(is_base) ? c.role == Role::coordinate && is_other(c) : is_base(c);
+        });
         const std::string unit = lacks == curve.columns.end() || lacks->unit.empty() ? "" : ":" + lacks->unit;
         throw Error(
             ExitCode::bad_input, file.source,

@@ -7,7 +7,6 @@
 #include "core/text.hpp"
 #include "post/gnuplot.hpp"
 #include "post/plot_data.hpp"
-#include "post/plot_style.hpp"
 
 namespace soft::post {
 namespace {
@@ -27,10 +26,6 @@ constexpr std::array<Style, 7> styles = {{{6, "#0072B2"},
                                           {1, "#000000"}}};
 constexpr std::size_t max_markers_single = 400, max_markers_several = 16;
 
-bool is_motion(const Curve& curve) {
-    return curve.find("time") != nullptr && curve.find("time")->source == Source::time;
-}
-
 /// A case without a cavity volume is loaded on a face, so its pressure is not called a cavity pressure.
 std::string axis_label(const Curve& curve, const Column& column) {
     const bool of_cavity =
@@ -41,25 +36,12 @@ std::string axis_label(const Curve& curve, const Column& column) {
     return gnuplot_text(column.unit.empty() ? text : text + " (" + column.unit + ")");
 }
 
-template <class Wanted>
-std::size_t first_column(const Curve& curve, Wanted wanted) {
-    const auto hit = std::find_if(curve.columns.begin(), curve.columns.end(), wanted);
-    if (hit == curve.columns.end())
-        throw Error(ExitCode::bad_input, "--plot", "the case measures neither an output nor a cavity volume",
-                    "name one under 'outputs:' of the design");
-    return static_cast<std::size_t>(hit - curve.columns.begin());
-}
-
 std::size_t output_column(const Curve& curve, const Measured* measured) {  // outputs come before the volume
-    return first_column(curve, [&](const Column& column) {
-        return (column.source == Source::output || column.source == Source::volume) &&
-               (measured == nullptr ||
-                measured->find(static_cast<std::size_t>(&column - curve.columns.data())) != nullptr);
-    });
-}
-
-std::size_t column_of(const Curve& curve, Source source) {
-    return first_column(curve, [&](const Column& column) { return column.source == source; });
+    for (std::size_t i = 0; i < curve.columns.size(); ++i)
+        if (const Source source = curve.columns[i].source; source == Source::output || source == Source::volume)
+            if (measured == nullptr || measured->find(i) != nullptr) return i;
+    throw Error(ExitCode::bad_input, "--plot", "the case measures neither an output nor a cavity volume",
+                "name one under 'outputs:' of the design");
 }
 
 std::size_t named_column(const Curve& curve, const std::string& name, const char* option) {
@@ -134,8 +116,8 @@ std::string heading(const Curve& curve, const PlotAxes& axes, const PlotRequest&
            (axes.colour ? std::string{path_palette} +
                               ("set cblabel " + axis_label(curve, curve.columns[*axes.colour]) + " noenhanced\n")
                         : std::string{}) +
-           "set key outside top center horizontal reverse Left samplen 3 noenhanced" +
-           (request.title.empty() ? "" : " title " + gnuplot_text(request.title)) + "\n" +
+           "set key outside top center horizontal reverse Left samplen 3 noenhanced\n" +
+           (request.title.empty() ? "" : "set title " + gnuplot_text(request.title) + " noenhanced\n") +
            "set offsets graph 0, graph 0.03, graph 0.08, 0\n";
 }
 
@@ -170,20 +152,21 @@ void add_path(Script& script, const Blocks& blocks, const PlotAxes& axes, std::s
     legend.bifurcations |= !blocks.bifurcations.empty();
 }
 
-void add_legend(Script& script, std::span<const PlotSeries> series, const LegendEntries& legend) {
+/// A path whose colour shows a quantity has no colour of its own: the legend shows only its markers.
+void add_legend(Script& script, std::span<const PlotSeries> series, const PlotAxes& axes, const LegendEntries& legend) {
+    const std::string shown = axes.colour ? "with points " : "with linespoints ";
     const auto sign = [&](std::size_t i) {
         const Style style = styles[i % styles.size()];
         return script.points(style.point, 1.5) + " linewidth 2 linecolor rgb '" + style.colour + "'";
     };
     if (series.size() == 1)
-        script.legend("with linespoints " + sign(0), is_motion(series[0].curve) ? "'motion'" : "'converged steps'");
+        script.legend(shown + sign(0),
+                      series[0].curve.find(Source::time) != nullptr ? "'motion'" : "'converged steps'");
     else
-        for (std::size_t i = 0; i < series.size(); ++i)
-            script.legend("with linespoints " + sign(i), gnuplot_text(series[i].label));
+        for (std::size_t i = 0; i < series.size(); ++i) script.legend(shown + sign(i), gnuplot_text(series[i].label));
     if (legend.unstable) script.legend("with lines linewidth 2 dashtype (8,6) linecolor rgb '#404040'", "'unstable'");
     if (legend.band) script.legend(filled + std::string{" linecolor rgb '#0072B2'"}, "'mesh error'");
-    if (legend.constants)
-        script.legend(filled + std::string{" linecolor rgb '#E69F00'"}, "'one standard deviation of the constants'");
+    if (legend.constants) script.legend(filled + std::string{" linecolor rgb '#E69F00'"}, "'±1 standard deviation'");
     if (legend.limits)
         script.legend("with points " + script.points(9, 2.2) + " linecolor rgb '#b00000'", "'limit point'");
     if (legend.bifurcations)
@@ -192,18 +175,14 @@ void add_legend(Script& script, std::span<const PlotSeries> series, const Legend
 
 }  // namespace
 
-PictureFormat picture_format(const std::filesystem::path& file) {
-    const std::string ending = file.extension().string();
-    if (ending == ".svg") return PictureFormat::svg;
-    if (ending == ".png") return PictureFormat::png;
-    if (ending == ".pdf") return PictureFormat::pdf;
-    throw Error(ExitCode::usage, file.string(), "unknown picture format", "use .svg, .png or .pdf");
-}
-
 PlotAxes plot_axes(const Curve& curve, const PlotRequest& request, const Measured* measured) {
-    const bool moves = is_motion(curve);
-    const auto usual_x = [&] { return moves ? column_of(curve, Source::time) : output_column(curve, measured); };
-    const auto usual_y = [&] { return moves ? output_column(curve, measured) : column_of(curve, Source::load); };
+    const bool moves = curve.find(Source::time) != nullptr;
+    const auto usual_x = [&] {
+        return moves ? curve.index_of(*curve.find(Source::time)) : output_column(curve, measured);
+    };
+    const auto usual_y = [&] {
+        return moves ? output_column(curve, measured) : curve.index_of(*curve.find(Source::load));
+    };
     const auto named = [&](const std::string& name, const char* option) {
         const std::size_t column = named_column(curve, name, option);
         if (measured != nullptr && measured->find(column) == nullptr)
@@ -239,7 +218,7 @@ std::string plot_script(std::span<const PlotSeries> series, const Measured* meas
     const std::string crosses = "with points " + script.points(2, 1.5) + " linewidth 1.5 linecolor rgb '#000000'";
     const std::string points = measured != nullptr ? point_block(*measured, axes) : "";
     script.add("measured", points, crosses + " notitle");
-    add_legend(script, series, legend);
+    add_legend(script, series, axes, legend);
     if (!points.empty()) script.legend(crosses, "'measured'");
     return script.text();
 }

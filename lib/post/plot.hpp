@@ -14,6 +14,7 @@
 #include "model/path.hpp"
 #include "post/band.hpp"
 #include "post/curve.hpp"
+#include "post/gnuplot.hpp"
 #include "post/measured.hpp"
 
 namespace soft::post {
@@ -30,11 +31,6 @@ struct PlotSeries {
     model::PathEnd end;             ///< its limit points and bifurcations are drawn
     std::optional<Band> band = {};  ///< uncertainty due to the constants, drawn if its table contains both axes
 };
-
-enum class PictureFormat { svg, png, pdf };
-
-/// Format by the file extension; throws Error(usage) for an unknown one.
-[[nodiscard]] PictureFormat picture_format(const std::filesystem::path& file);
 
 /// Columns of the curve.
 struct PlotAxes {

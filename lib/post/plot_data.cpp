@@ -20,33 +20,42 @@ std::string line(std::initializer_list<double> numbers) {
     return text + "\n";
 }
 
-/// Samples the path in two blocks; a change of stability between two rows is drawn in the middle.
-void sample_line(const Curve& curve, const Path& path, const PlotAxes& axes, Blocks& blocks) {
-    const std::vector<double>& flags = curve.find("stable")->values;
+bool is_located(const model::PathEnd& end, std::size_t row) {
+    const auto is_here = [row](const model::LimitPoint& point) { return point.step == static_cast<int>(row); };
+    return std::ranges::any_of(end.limit_points, is_here) ||
+           std::ranges::any_of(end.bifurcations, is_here, &model::Bifurcation::at);
+}
+
+/// Samples the path in two blocks. Between a stable and an unstable row the block changes at the row of a limit point or bifurcation, or
+/// in the middle if neither row is one.
+void sample_line(const PlotSeries& series, const Path& path, const PlotAxes& axes, Blocks& blocks) {
+    const std::vector<double>& flags = series.curve.find("stable")->values;
     const auto s = path.row_parameters();
     const std::string* current = nullptr;
-    for (std::size_t i = 0; i + 1 < s.size(); ++i)
-        for (int half = 0; half < 2; ++half) {
-            const bool stable = flags[path.rows()[i + static_cast<std::size_t>(half)]] > 0;
-            std::string& block = stable ? blocks.stable : blocks.unstable;
+    for (std::size_t i = 0; i + 1 < s.size(); ++i) {
+        const std::size_t row = path.rows()[i], next = path.rows()[i + 1];
+        const bool changes = (flags[row] > 0) != (flags[next] > 0);
+        const double change = !changes || is_located(series.end, next) ? 1 : is_located(series.end, row) ? 0 : 0.5;
+        for (const bool before : {true, false}) {
+            const double from = before ? 0 : change, to = before ? change : 1;
+            const auto count = static_cast<int>(std::lround(samples_per_interval * (to - from)));
+            if (count == 0) continue;
+            std::string& block = flags[before ? row : next] > 0 ? blocks.stable : blocks.unstable;
             if (&block != current && !block.empty()) block += "\n";  // a gap: gnuplot starts a new stroke
             current = &block;
-            for (int k = 0; k <= samples_per_interval / 2; ++k) {
-                const double t = (half + 2.0 * k / samples_per_interval) / 2;
-                const std::vector<double> row = path.at(s[i] + t * (s[i + 1] - s[i]));
-                block += axes.colour ? line({row[axes.x], row[axes.y], row[*axes.colour]})
-                                     : line({row[axes.x], row[axes.y]});
-                blocks.points.push_back({row[axes.x], row[axes.y]});
+            for (int k = 0; k <= count; ++k) {
+                const double t = from + static_cast<double>(k) / samples_per_interval;
+                const std::vector<double> state = path.at(s[i] + t * (s[i + 1] - s[i]));
+                block += axes.colour ? line({state[axes.x], state[axes.y], state[*axes.colour]})
+                                     : line({state[axes.x], state[axes.y]});
+                blocks.points.push_back({state[axes.x], state[axes.y]});
             }
         }
+    }
 }
 
 /// The column with the half width of the error; nullptr if there is none.
 const Column* error_of(const Curve& curve, const Column& column) { return curve.find(column.quantity + "_error"); }
-
-std::size_t index_of(const Curve& curve, const Column& column) {
-    return static_cast<std::size_t>(&column - curve.columns.data());
-}
 
 /// Closed outline: the path shifted by +error, then in reverse order by -error; along the ordinate if its error is known, else along the
 /// abscissa.
@@ -55,7 +64,7 @@ std::string band_outline(const Curve& curve, const Path& path, const PlotAxes& a
     const Column* up = error_of(curve, curve.columns[axes.y]);
     const Column* across = error_of(curve, curve.columns[axes.x]);
     if (up == nullptr && across == nullptr) return {};
-    const std::size_t error = index_of(curve, up != nullptr ? *up : *across);
+    const std::size_t error = curve.index_of(up != nullptr ? *up : *across);
     const auto s = path.row_parameters();
     std::string there;
     std::vector<std::string> back;
@@ -121,8 +130,27 @@ std::string band_piece(const Path& path, const PlotAxes& axes, const BandPoint& 
     return there;
 }
 
-void add_constants(const Band& band, const Path& path, const PlotAxes& axes, Blocks& blocks) {
+/// Throws Error(bad_input) for a point far from the curve: the table belongs to another material or case.
+void check_band_point(const BandPoint& point, const Curve& curve, const Path& path, const PlotAxes& axes) {
+    constexpr double max_distance =
+        0.05;  // of the largest value of an axis: above the errors of meshes and interpolation
+    if (!point.s) return;
+    const std::vector<double> state = path.at(*point.s);
+    for (const auto& [axis, value] : {std::pair{axes.x, point.x}, {axes.y, point.y}}) {
+        const Column& column = curve.columns[axis];
+        if (std::abs(state[axis] - value) <=
+            max_distance * std::abs(std::ranges::max(column.values, {}, [](double v) { return std::abs(v); })))
+            continue;
+        throw Error(ExitCode::bad_input, "--band",
+                    "the table has " + column.quantity + " " + value_text(column, value) + " where the curve has " +
+                        value_text(column, state[axis]),
+                    "give the table of a result with the material of the fit");
+    }
+}
+
+void add_constants(const Band& band, const Curve& curve, const Path& path, const PlotAxes& axes, Blocks& blocks) {
     const std::vector<BandPoint> points = band_points(band, path, axes);
+    for (const BandPoint& point : points) check_band_point(point, curve, path, axes);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const BandPoint& p = points[i];
         blocks.constants_bars += line({p.x, p.y, p.x - p.dx, p.x + p.dx, p.y - p.dy, p.y + p.dy});
@@ -153,7 +181,7 @@ void add_labelled(const Column& x, const Column& y, const model::LimitPoint& at,
                   std::vector<PlotLabel>& labels) {
     const auto along = value_at(x, at), up = value_at(y, at);
     if (!along || !up) return;
-    const std::string text = core::rounded_text(*up, 4) + (y.unit.empty() ? "" : " " + y.unit);
+    const std::string text = value_text(y, *up);
     block += core::number_text(*along) + " " + core::number_text(*up) + " \"" + text + "\"\n";
     labels.push_back({*along, *up, text});
 }
@@ -166,9 +194,9 @@ Blocks make_blocks(const PlotSeries& series, const PlotAxes& axes, std::size_t m
     const Column& x = curve.columns[axes.x];
     const Column& y = curve.columns[axes.y];
     const Path path(curve);
-    sample_line(curve, path, axes, blocks);
+    sample_line(series, path, axes, blocks);
     blocks.band = band_outline(curve, path, axes, blocks.edges);
-    if (series.band) add_constants(*series.band, path, axes, blocks);
+    if (series.band) add_constants(*series.band, curve, path, axes, blocks);
     add_markers(curve, axes, max_markers, blocks);
     for (const model::LimitPoint& limit : series.end.limit_points)
         add_labelled(x, y, limit, blocks.limits, blocks.labels);

@@ -20,7 +20,7 @@ const Column& coordinate(const Curve& curve, std::string_view quantity) {
 
 std::vector<std::vector<double>> rows_of(const Path& path, const Curve& curve, const Request& request) {
     const Column& column = coordinate(curve, request.quantity);
-    const auto index = static_cast<std::size_t>(&column - curve.columns.data());
+    const auto index = curve.index_of(column);
     const double value = path.within_reach(index, in_column_unit(column, request.value_SI));
     std::vector<std::vector<double>> rows;
     for (const double s : path.crossings(index, value)) {
@@ -32,7 +32,7 @@ std::vector<std::vector<double>> rows_of(const Path& path, const Curve& curve, c
 
 Error not_reached(const Path& path, const Curve& curve, const Request& request) {
     const Column& column = coordinate(curve, request.quantity);
-    const Path::Range range = path.range(static_cast<std::size_t>(&column - curve.columns.data()));
+    const Path::Range range = path.range(curve.index_of(column));
     return {ExitCode::bad_input,
             "--at " + request.quantity + "=" + core::rounded_text(in_column_unit(column, request.value_SI), 6) +
                 column.unit,
@@ -50,13 +50,10 @@ std::vector<Request> parse_requests(std::string_view text, const Curve& curve) {
     const std::string quantity{core::trimmed(text.substr(0, equals))};
     const Column& column = coordinate(curve, quantity);
     std::vector<Request> requests;
-    for (std::string_view rest = text.substr(equals + 1);;) {
-        const std::size_t comma = rest.find(',');
-        requests.push_back({quantity, core::quantity_or_throw(rest.substr(0, comma), column.dimension, ExitCode::usage,
-                                                              "--at " + quantity)});
-        if (comma == std::string_view::npos) return requests;
-        rest.remove_prefix(comma + 1);
-    }
+    for (const std::string& value : core::split(text.substr(equals + 1), ','))
+        requests.push_back(
+            {quantity, core::quantity_or_throw(value, column.dimension, ExitCode::usage, "--at " + quantity)});
+    return requests;
 }
 
 std::vector<std::vector<double>> crossing_rows(const Curve& curve, const Request& request) {

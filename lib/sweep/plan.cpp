@@ -135,15 +135,6 @@ std::vector<std::vector<std::string>> grid_values(const Sweep& sweep) {
     return rows;
 }
 
-/// Quotes a word for a shell.
-std::string quoted_word(const std::string& word) {
-    const bool plain = word.find_first_of(" \t\"'\\$`*?[]{}()<>|&;#~!") == std::string::npos;
-    if (plain) return word;
-    std::string text = "'";
-    for (const char c : word) text += c == '\'' ? std::string{"'\\''"} : std::string{c};
-    return text + "'";
-}
-
 }  // namespace
 
 bool is_design_id(std::string_view id) noexcept {
@@ -199,7 +190,7 @@ Plan make_plan(const Sweep& sweep, const PlanInput& input) {
 std::string settings_text(const Sweep& sweep, const PlannedDesign& design) {
     std::string text;
     for (const design::Override& setting : settings_of(sweep, design.values))
-        text.append(text.empty() ? "--set " : " --set ").append(quoted_word(setting.path + "=" + setting.value));
+        text.append(text.empty() ? "--set " : " --set ").append(core::shell_quoted(setting.path + "=" + setting.value));
     return text;
 }
 

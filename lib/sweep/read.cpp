@@ -168,11 +168,8 @@ std::vector<design::Override> overrides_of(const Node& set) {
 std::vector<SourceText> points_of(const Node& at) {
     std::vector<SourceText> points;
     std::string quantity;
-    for (const SourceText& entry : one_or_more(at, "at", "elongation=20mm")) {
-        for (std::size_t start = 0; start <= entry.text.size();) {
-            const std::size_t comma = std::min(entry.text.find(',', start), entry.text.size());
-            std::string word{core::trimmed(std::string_view{entry.text}.substr(start, comma - start))};
-            start = comma + 1;
+    for (const SourceText& entry : one_or_more(at, "at", "elongation=20mm"))
+        for (std::string& word : core::split(entry.text, ',')) {
             const std::size_t equals = word.find('=');
             if (equals != std::string::npos)
                 quantity = word.substr(0, equals);
@@ -185,7 +182,6 @@ std::vector<SourceText> points_of(const Node& at) {
                 word.insert(0, quantity + "=");
             points.push_back({std::move(word), entry.location});
         }
-    }
     return points;
 }
 

@@ -12,8 +12,8 @@ namespace soft::view {
 
 namespace {
 
-// Fractions of the picture width: the bar, its numbers from `numbers` to `numbers_end`, the label.
-constexpr double bar_left = 0.825, bar_width = 0.022, numbers = 0.87, numbers_end = 0.957, label_middle = 0.98;
+// Fractions of the picture width: the bar, its numbers from `numbers` to at most `numbers_end`, the label.
+constexpr double bar_left = 0.825, bar_width = 0.022, numbers = 0.87, numbers_end = 0.957, max_label_middle = 0.98;
 constexpr double bar_low = 0.2, bar_height = 0.6, label_height = 0.92;
 /// Average width of a letter of Sans over the font size in points, and of a digit (pixels at 96 per inch).
 constexpr double letter = 0.78, digit = 0.86;
@@ -63,6 +63,8 @@ std::string colour_bar_script(const ColourBar& bar) {
     }
     const double available_px = (numbers_end - numbers) * bar.width_px;
     const double number_font = std::min(bar.font, available_px / (digit * static_cast<double>(longest)));
+    const double numbers_px = digit * number_font * static_cast<double>(longest);
+    const double label_middle = std::min(max_label_middle, numbers + (numbers_px + bar.font) / bar.width_px);
     const double letters = static_cast<double>(std::max<std::size_t>(bar.label.size(), 1));
     const double label_font = std::min(bar.font, label_height * bar.height_px / (letter * letters));
     std::string script = "set cbrange [" + core::number_text(bar.low) + ":" + core::number_text(bar.high) + "]\n";

@@ -57,7 +57,7 @@ std::vector<std::array<std::int32_t, 2>> creases(std::span<const Face> faces, st
     std::vector<Point> normals;
     for (const Face& face : faces) {
         Point n = face_normal(face, positions);
-        const double length = std::sqrt(dot(n, n));
+        const double length = norm(n);
         for (double& component : n) component /= length > 0 ? length : 1.0;
         normals.push_back(n);
     }

@@ -9,7 +9,6 @@
 #include "post/gnuplot.hpp"
 #include "view/colour_bar.hpp"
 #include "view/creases.hpp"
-#include "view/shading.hpp"
 
 namespace soft::view {
 

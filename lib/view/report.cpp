@@ -29,7 +29,7 @@ void require_viewer() {
     const ViewerBundle bundle = viewer_bundle();
     if (!bundle.missing.empty())
         throw Error(ExitCode::cannot_create, "--report",
-                    "this program was built without the viewer of the body: " + std::string{bundle.missing},
+                    "this program was built without the viewer of the actuator: " + std::string{bundle.missing},
                     "install Node.js with npm, then configure and build in a new build directory");
 }
 

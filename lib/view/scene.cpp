@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "core/base64.hpp"
+#include "core/hash.hpp"
 #include "core/text.hpp"
 #include "post/quantity.hpp"
 #include "post/region_points.hpp"
@@ -135,8 +135,7 @@ std::string frame_label(const post::Curve& curve, std::size_t row) {
     std::vector<std::string> words;
     for (const post::Column& column : curve.columns)
         if (column.role == post::Role::coordinate)
-            words.push_back(column.quantity + " " + core::rounded_text(column.values[row], 4) +
-                            (column.unit.empty() ? "" : " " + column.unit));
+            words.push_back(column.quantity + " " + post::value_text(column, column.values[row]));
     const bool stable = curve.find("stable")->values[row] > 0;
     return "step " + std::to_string(row) + ": " + core::join(words) + (stable ? "" : " (unstable)");
 }

@@ -13,16 +13,12 @@ namespace {
 
 std::string paragraph(const std::string& text) { return "<p>" + escaped(text) + "</p>\n"; }
 
-std::string with_unit(const post::Column& column, double value, int digits) {
-    return core::rounded_text(value, digits) + (column.unit.empty() ? "" : " " + column.unit);
-}
-
 /// The values at a limit point or bifurcation: "pressure 44.3 kPa, elongation 20 mm".
 std::string location_text(const post::Curve& curve, const model::LimitPoint& point) {
     std::vector<std::string> words;
     for (const post::Column& column : curve.columns)
         if (const auto value = post::value_at(column, point))
-            words.push_back(column.quantity + " " + with_unit(column, *value, 4));
+            words.push_back(column.quantity + " " + post::value_text(column, *value, 4));
     return core::join(words);
 }
 
@@ -32,7 +28,8 @@ std::string coordinate_range_text(const post::Curve& curve) {
     for (const post::Column& column : curve.columns) {
         if (column.role != post::Role::coordinate || column.values.empty()) continue;
         const auto [low, high] = std::minmax_element(column.values.begin(), column.values.end());
-        words.push_back(column.quantity + " " + core::rounded_text(*low, 4) + " to " + with_unit(column, *high, 4));
+        words.push_back(column.quantity + " " + core::rounded_text(*low, 4) + " to " +
+                        post::value_text(column, *high, 4));
     }
     return core::join(words);
 }
@@ -78,16 +75,16 @@ std::string curve_section(const Content& content) {
 
 std::string body_section(const Scene& scene) {
     if (scene.json.empty())
-        return "<h2>Body</h2>\n" +
+        return "<h2>Actuator</h2>\n" +
                paragraph("This result contains no fields; run solve with --fields all to store them.");
     const std::string left_out =
         scene.frames == scene.stored
             ? ""
             : paragraph(std::to_string(scene.frames) + " of " + std::to_string(scene.stored) +
                         " stored steps are shown to keep this page small enough for a browser.");
-    return R"(<h2>Body</h2>
+    return R"(<h2>Actuator</h2>
 <p>Drag to rotate, scroll to zoom, drag with the right button to pan.</p>
-<canvas id='body' aria-label='the deformed body'></canvas>
+<canvas id='body' aria-label='the deformed actuator'></canvas>
 <p id='viewer-error' hidden></p>
 <div class='controls'>
 <label class='wide'>Step <input id='frame' type='range' min='0' step='1' value='0'></label>
@@ -112,9 +109,9 @@ std::string comparison_section(const Content& content) {
         const post::Column& of = content.curve.columns[error.of];
         const post::Column& at = content.curve.columns[error.at];
         rows.push_back({{of.quantity, at.quantity, std::to_string(error.points), std::to_string(error.left_out),
-                         with_unit(of, error.mean, 3), with_unit(of, error.mean_absolute, 3),
-                         with_unit(of, error.rms, 3), with_unit(of, error.largest, 3),
-                         with_unit(at, content.measured->find(error.at)->values[error.max_row], 4),
+                         post::value_text(of, error.mean, 3), post::value_text(of, error.mean_absolute, 3),
+                         post::value_text(of, error.rms, 3), post::value_text(of, error.largest, 3),
+                         post::value_text(at, content.measured->find(error.at)->values[error.max_row], 4),
                          error.r2 ? core::rounded_text(*error.r2, 4) : ""}});
     }
     return "<h2>Comparison with measured data</h2>\n" +

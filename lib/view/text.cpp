@@ -3,7 +3,6 @@
 #include <charconv>
 #include <vector>
 
-#include "core/base64.hpp"
 #include "core/hash.hpp"
 #include "core/text.hpp"
 

@@ -5,7 +5,7 @@
 #include <pugixml.hpp>
 #include <sstream>
 
-#include "core/base64.hpp"
+#include "core/hash.hpp"
 #include "core/text.hpp"
 
 namespace soft::view {

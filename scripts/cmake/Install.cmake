@@ -12,7 +12,7 @@ install(DIRECTORY designs meshes DESTINATION share/soft-actuator)
 install(FILES LICENSE DESTINATION share/doc/soft-actuator RENAME copyright)
 install(FILES CHANGELOG.md DESTINATION share/doc/soft-actuator)
 
-# The programs print their man pages and completions. The scripts become the commands soft-NAME.
+# The programs print their man pages and completions. The scripts become the commands soft-NAME, with their help as man page.
 install(CODE "set(bin \"${CMAKE_RUNTIME_OUTPUT_DIRECTORY}\")\nset(tools ${tools})\nset(scripts \"${CMAKE_SOURCE_DIR}/scripts\")")
 install(CODE [[
   set(prefix "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}")
@@ -44,6 +44,13 @@ install(CODE [[
     file(WRITE "${prefix}/bin/soft-${script}" "#!/bin/sh\nbin=$(dirname \"$(realpath \"$0\")\")\n"
          "PATH=$bin:$PATH exec \"$bin/../libexec/soft-actuator/${script}\" \"$@\"\n")
     file(CHMOD "${prefix}/bin/soft-${script}" ${executable})
+    execute_process(COMMAND "${prefix}/bin/soft-${script}" --help OUTPUT_VARIABLE help COMMAND_ERROR_IS_FATAL ANY)
+    string(REPLACE "\\" "\\e" help "${help}")   # roff escapes
+    string(REPLACE "-" "\\-" help "${help}")
+    string(REGEX REPLACE "\n([.'])" "\n\\\\&\\1" help "${help}")
+    string(REGEX MATCH "^[^\n]*" summary "${help}")
+    file(WRITE "${prefix}/share/man/man1/soft-${script}.1" ".TH SOFT\\-${script} 1 \"\" \"soft\\-actuator\" \"User Commands\"\n"
+         ".SH NAME\nsoft\\-${script} \\- ${summary}\n.SH DESCRIPTION\n.nf\n${help}.fi\n")
   endforeach()
 ]])
 

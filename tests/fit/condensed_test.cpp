@@ -1,4 +1,4 @@
-#include "fit/condensed.hpp"
+#include "fit/separable.hpp"
 
 #include <gtest/gtest.h>
 

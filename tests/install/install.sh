@@ -25,6 +25,7 @@ for script in sweep uncertainty workspace; do
     runs "'$moved/bin/soft-$script' --help"
     claim "the help names the installed command" grep -q "soft-$script " "$seen/out"
     claim "and not the script of the source tree" not grep -q "scripts/$script " "$seen/out"
+    claim "its man page has the help" grep -q "^soft.-$script .- [A-Z]" "$moved/share/man/man1/soft-$script.1"
 done
 ln -s "$moved/bin/soft-workspace" linked
 runs 'PATH=/usr/bin:/bin; ./linked --help'

@@ -107,7 +107,7 @@ refuses 64 'postprocess: --range: LOW is not below HIGH' 'postprocess ring.h5 --
 refuses 64 'postprocess: --range: *' 'postprocess ring.h5 --picture a.png --field von-mises --range 1,2'
 refuses 64 'postprocess: --section: and --whole exclude each other; *' 'postprocess ring.h5 --picture a.png --section --whole'
 refuses 65 'postprocess: --at pressure=900000kPa: the path does not reach it; *' 'postprocess dome.h5 --picture a.png --at pressure=900MPa'
-refuses 64 'postprocess: --view: a plane-strain body is drawn only from the front; omit --view' \
+refuses 64 'postprocess: --view: a plane-strain model is drawn only from the front; omit --view' \
     'postprocess ring.h5 --picture a.png --view side'
 runs 'postprocess -q ring.h5 --picture a.png --view front && mesh-gen designs/plate.yaml | solve --fields last > plate.h5'
 refuses 64 'postprocess: --section: the model is not axisymmetric and has no such section; *' \

@@ -35,7 +35,7 @@ claim 'linearised and sampled bands agree' within \
     "$(awk -v b="$(band pressure_band_kPa three.csv)" -v s="$(band pressure_sampled_band_kPa three.csv)" 'BEGIN { print s / b }')" 0.55 1.45
 claim 'all samples are counted' [ "$(band samples three.csv)" = 24 ]
 claim 'progress is reported' grep -q '^uncertainty: 31 of 31 runs$' "$seen/err"
-claim 'the plot shows the band' grep -q 'one standard deviation of the constants' band.svg
+claim 'the plot shows the band' grep -q '1 standard deviation' band.svg
 # Full force exactly at the requested value: the stiffer half of the samples does not reach it.
 LIMIT=250 runs "'$uncertainty' designs/rod.yaml one.json --at elongation=17.6mm --samples 8 $coarse --set 'loads={end: {force: 30 N, along: x}}' > short.csv"
 claim 'samples that fall short are reported with a count' grep -Eq '^uncertainty: warning: elongation=17.6mm: [1-7] of 8 samples do(es)? not reach it and (is|are) left out$' "$seen/err"
@@ -43,7 +43,7 @@ claim 'the table contains the number of the other samples' within "$(band sample
 claim 'a stiffer run that does not reach the value leaves the linear band empty' [ -z "$(band load_band_N short.csv)" ]
 
 runs "mesh-gen designs/rod.yaml $pulled | solve --quiet -o rod.h5; postprocess --quiet rod.h5 --plot rod.svg --band three.csv -o rod.csv"
-claim "postprocess draws the band as well" grep -q "one standard deviation of the constants" rod.svg
+claim "postprocess draws the band as well" grep -q "1 standard deviation" rod.svg
 refuses 64 'uncertainty: band.jpg: unknown picture format; *' "'$uncertainty' designs/rod.yaml one.json --at elongation=50mm --plot band.jpg"
 refuses 64 'uncertainty: --at is missing: *' "'$uncertainty' designs/rod.yaml one.json"
 refuses 64 "uncertainty: --samples: '1' is not a number of samples; *" "'$uncertainty' designs/rod.yaml one.json --at elongation=50mm --samples 1"

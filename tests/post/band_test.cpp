@@ -154,7 +154,7 @@ TEST(Band, IsDrawnAlongTheAxisThatIsNotPrescribed) {
     EXPECT_NEAR(x, 250, 1e-9);
     EXPECT_NEAR(y, 1.02e-3 * test::sphere_pressure_Pa(1.25), 1e-9);
     EXPECT_NE(block(script({.title = "", .x = "pressure", .y = "growth"}), "constants1"), "");
-    EXPECT_NE(script({}).find("one standard deviation of the constants"), std::string::npos);
+    EXPECT_NE(script({}).find("±1 standard deviation"), std::string::npos);
 }
 
 TEST(Band, RejectsTablesWithoutABand) {

@@ -110,7 +110,7 @@ TEST(PlotScript, UsesTheVolumeIfTheCaseHasNoOutput) {
 
 TEST(PlotScript, EscapesQuotesInTheTitle) {
     const std::string script = script_of(sphere_curve(9, 3), {}, {.title = "it's\nsystem('x')"});
-    EXPECT_EQ(count(script, "noenhanced title 'it''s?system(''x'')'\n"), 1u);
+    EXPECT_EQ(count(script, "set title 'it''s?system(''x'')' noenhanced\n"), 1u);
 }
 
 TEST(PlotScript, PlotsAnyColumnOverAnyOther) {

@@ -1,4 +1,4 @@
-#include "sweep/gray_code.hpp"
+#include "sweep/sampling.hpp"
 
 #include <gtest/gtest.h>
 
