@@ -45,7 +45,7 @@ TypeHandle text_type(std::size_t length, H5T_cset_t characters) {
 }
 
 /// Chunks of about chunk_bytes that contain whole rows of the first dimension. Longer rows are divided along the second dimension.
-std::vector<hsize_t> chunk_shape(const std::vector<hsize_t>& shape, std::size_t element_size, Growth growth) {
+std::vector<hsize_t> chunk_shape(const std::vector<hsize_t>& shape, std::size_t element_size) {
     std::vector<hsize_t> chunk = shape;
     const auto bytes_from = [&](std::size_t dimension) {
         return std::accumulate(chunk.begin() + static_cast<std::ptrdiff_t>(dimension), chunk.end(),
@@ -53,7 +53,7 @@ std::vector<hsize_t> chunk_shape(const std::vector<hsize_t>& shape, std::size_t 
     };
     for (hsize_t& extent : chunk) extent = std::max<hsize_t>(extent, 1);
     const hsize_t row = bytes_from(1);
-    chunk[0] = std::clamp<hsize_t>(chunk_bytes / row, 1, growth == Growth::rows ? 1024 : chunk[0]);
+    chunk[0] = std::clamp<hsize_t>(chunk_bytes / row, 1, chunk[0]);
     if (chunk.size() > 1 && row > chunk_bytes) chunk[1] = std::max<hsize_t>(chunk_bytes / bytes_from(2), 1);
     return chunk;
 }
@@ -154,27 +154,23 @@ GroupHandle create_group(hid_t parent, const std::string& name, std::string_view
 }
 
 template <class T>
-void write_array(hid_t parent, const Label& label, std::span<const T> values, std::vector<hsize_t> shape,
-                 Growth growth) {
+void write_array(hid_t parent, const Label& label, std::span<const T> values, std::vector<hsize_t> shape) {
     if (shape.empty()) shape = {values.size()};
     const hsize_t count = std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<>{});
     if (count != values.size()) throw Error(ExitCode::internal, label.name, "shape and number of values differ");
     const PropertiesHandle properties = without_times(H5P_DATASET_CREATE);
-    std::vector<hsize_t> limit = shape;
-    if (growth == Growth::rows) limit[0] = H5S_UNLIMITED;
-    if (growth == Growth::rows || count * sizeof(T) >= compress_from_bytes)
-        compress(properties.get(), chunk_shape(shape, sizeof(T), growth));
+    if (count * sizeof(T) >= compress_from_bytes) compress(properties.get(), chunk_shape(shape, sizeof(T)));
     const SpaceHandle space{
-        check(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), limit.data()), "H5Screate_simple")};
+        check(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), "H5Screate_simple")};
     const DatasetHandle dataset = create_dataset(parent, label, file_type<T>(), space.get(), properties.get());
     if (count > 0)
         check(H5Dwrite(dataset.get(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "H5Dwrite");
 }
 
-template void write_array(hid_t, const Label&, std::span<const double>, std::vector<hsize_t>, Growth);
-template void write_array(hid_t, const Label&, std::span<const std::int64_t>, std::vector<hsize_t>, Growth);
-template void write_array(hid_t, const Label&, std::span<const std::int32_t>, std::vector<hsize_t>, Growth);
-template void write_array(hid_t, const Label&, std::span<const std::uint8_t>, std::vector<hsize_t>, Growth);
+template void write_array(hid_t, const Label&, std::span<const double>, std::vector<hsize_t>);
+template void write_array(hid_t, const Label&, std::span<const std::int64_t>, std::vector<hsize_t>);
+template void write_array(hid_t, const Label&, std::span<const std::int32_t>, std::vector<hsize_t>);
+template void write_array(hid_t, const Label&, std::span<const std::uint8_t>, std::vector<hsize_t>);
 
 namespace {
 
@@ -234,7 +230,7 @@ DatasetHandle create_rows(hid_t parent, const Label& label, const std::vector<hs
     shape.insert(shape.end(), row_shape.begin(), row_shape.end());
     std::vector<hsize_t> limit = shape;
     limit[0] = H5S_UNLIMITED;
-    std::vector<hsize_t> chunk = chunk_shape(shape, sizeof(double), Growth::rows);
+    std::vector<hsize_t> chunk = chunk_shape(shape, sizeof(double));
     chunk[0] = 1;  // each row is written once; larger chunks would be compressed again at every step
     const PropertiesHandle properties = without_times(H5P_DATASET_CREATE);
     compress(properties.get(), chunk);

@@ -18,8 +18,6 @@ struct Label {
     std::string_view description;
 };
 
-enum class Growth { fixed, rows };  ///< rows: extendible in the first dimension
-
 /// double, int64, int32 and uint8, little endian in the file.
 template <class T>
 [[nodiscard]] hid_t file_type();
@@ -53,8 +51,7 @@ hid_t memory_type<std::uint8_t>();
 
 /// Row-major; `shape` defaults to one dimension. Large arrays are chunked, shuffled and compressed.
 template <class T>
-void write_array(hid_t parent, const Label& label, std::span<const T> values, std::vector<hsize_t> shape = {},
-                 Growth growth = Growth::fixed);
+void write_array(hid_t parent, const Label& label, std::span<const T> values, std::vector<hsize_t> shape = {});
 void write_number(hid_t parent, const Label& label, double value);
 void write_count(hid_t parent, const Label& label, std::int64_t value);
 void write_text(hid_t parent, const Label& label, std::string_view text);

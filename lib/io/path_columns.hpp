@@ -38,7 +38,7 @@ void write_column(hid_t group, const Label& label, std::size_t rows, Pick pick) 
     std::vector<decltype(pick(std::size_t{}))> values(rows);
     for (std::size_t i = 0; i < rows; ++i) values[i] = pick(i);
     using T = typename decltype(values)::value_type;
-    write_array<T>(group, label, values, {rows}, Growth::rows);
+    write_array<T>(group, label, values);
 }
 
 template <class Row>
@@ -61,21 +61,6 @@ void read_lists(const GroupReader& parent, const ListColumns& columns, std::vect
         const auto values = group.array<double>(column.name, {extent(rows.size())});
         for (std::size_t i = 0; i < rows.size(); ++i) (rows[i].*member).push_back(values[i]);
     }
-}
-
-template <class Row>
-void write_volumes(hid_t group, std::span<const Row> rows) {
-    if (rows.empty() || !rows[0].volume_m3) return;
-    write_column(group, {"cavity_volume", "m3", "enclosed by the cavities of the first load, whole actuator"},
-                 rows.size(), [&](std::size_t i) { return rows[i].volume_m3.value_or(0); });
-}
-
-template <class Row>
-bool read_volumes(const GroupReader& group, std::vector<Row>& rows) {
-    if (!group.has("cavity_volume")) return false;
-    const auto values = group.array<double>("cavity_volume", {extent(rows.size())});
-    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].volume_m3 = values[i];
-    return true;
 }
 
 }  // namespace soft::io
