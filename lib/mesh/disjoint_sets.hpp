@@ -1,5 +1,5 @@
 #pragma once
-/// Groups of connected objects (union-find with path halving). Tested by geometry/imported_test and geometry/case_warnings_test.
+/// Groups of connected objects (union-find with path halving). Tested by mesh/mesh_test.
 #include <algorithm>
 #include <cstddef>
 #include <numeric>

@@ -48,6 +48,10 @@ TEST_P(EveryCell, IsFoundByItsVtkType) {
     EXPECT_EQ(cell.type, GetParam());
     EXPECT_EQ(cell_type_from_vtk(static_cast<int>(GetParam())), GetParam());
     EXPECT_EQ(static_cast<int>(cell.nodes.size()), cell.node_count);
+    EXPECT_EQ(with_order(cell.type, cell.order), cell.type);
+    const CellTopology& other = topology(with_order(cell.type, 3 - cell.order));
+    EXPECT_EQ(other.shape, cell.shape);
+    EXPECT_NE(other.order, cell.order);
 }
 
 TEST_P(EveryCell, FacetsPointOutOfTheCell) {

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "blocks.hpp"
+#include "mesh/disjoint_sets.hpp"
 
 namespace soft::mesh {
 namespace {
@@ -31,6 +32,15 @@ TEST(Mesh, FacetNodesAreGlobalNodeNumbers) {
             EXPECT_EQ(mesh.point(nodes[8])[d], mean);
         }
     }
+}
+
+TEST(DisjointSets, UniteGroupsUnderTheirSmallestObject) {
+    DisjointSets groups(6);
+    groups.unite(5, 3);
+    groups.unite(1, 5);
+    groups.unite(4, 4);
+    const std::vector<std::size_t> expected{0, 1, 2, 1, 4, 1};
+    for (std::size_t object = 0; object < expected.size(); ++object) EXPECT_EQ(groups.first(object), expected[object]);
 }
 
 TEST(Mesh, CellsKeepTheirNodesAndRegions) {
