@@ -65,13 +65,14 @@ Key output_point_key(const std::string& output) {
             .max_count = 3};
 }
 
-Key output_measure_key(const std::string& output) {
+Key output_measure_key(const std::string& output, const model::MeasureInfo* measure) {
     std::vector<std::string> words, meanings;
-    for (const model::MeasureInfo& measure : model::measures) {
-        words.emplace_back(measure.name);
-        meanings.push_back(std::string{measure.name} + ": " + std::string{measure.meaning});
+    for (const model::MeasureInfo& row : model::measures) {
+        words.emplace_back(row.name);
+        meanings.push_back(std::string{row.name} + ": " + std::string{row.meaning});
     }
-    return choice_key("outputs." + output + ".measure", "displacement", std::move(words), core::join(meanings, "; "));
+    return choice_key("outputs." + output + ".measure", "displacement", std::move(words),
+                      measure == nullptr ? core::join(meanings, "; ") : std::string{measure->meaning});
 }
 
 Key output_reference_key(const std::string& output) {

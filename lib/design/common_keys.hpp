@@ -15,7 +15,8 @@ namespace soft::design {
 [[nodiscard]] Key support_key(const std::string& component);
 [[nodiscard]] Key output_point_key(const std::string& output);
 [[nodiscard]] Key output_face_key(const std::string& output);
-[[nodiscard]] Key output_measure_key(const std::string& output);
+/// Its meaning is that of `measure`, or of all measures if it is nullptr.
+[[nodiscard]] Key output_measure_key(const std::string& output, const model::MeasureInfo* measure = nullptr);
 [[nodiscard]] Key output_reference_key(const std::string& output);
 [[nodiscard]] Key output_along_key(const std::string& output, std::string fallback);
 /// Key of an end criterion other than an output; `section` is "path.until" or the `until` of a stage.

@@ -152,9 +152,9 @@ void add_output_keys(Schema& schema, const Node& root, const Node& defaults) {
         const bool is_point = find(output.value, "point") != nullptr;
         if (is_point) refuse_with_point(output);
         schema.keys.push_back(is_point ? output_point_key(output.key) : output_face_key(output.key));
-        schema.keys.push_back(output_measure_key(output.key));
-        const bool bend = measure != nullptr && measure->text == "bend";
         const model::MeasureInfo* info = find_measure(measure == nullptr ? "displacement" : measure->text);
+        schema.keys.push_back(output_measure_key(output.key, info));
+        const bool bend = measure != nullptr && measure->text == "bend";
         if (bend) schema.keys.push_back(output_reference_key(output.key));
         if (const Member* reference = find_member(output.value, "reference"); reference != nullptr && !bend)
             refuse(reference->location, "outputs." + output.key + ".reference",
