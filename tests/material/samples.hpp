@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "examples.hpp"
 #include "material/catalogue.hpp"
 #include "material/response.hpp"
 
@@ -13,7 +14,7 @@ namespace soft::material::sample {
 inline constexpr double mu_Pa = 0.1644e6;
 inline constexpr double kappa_Pa = 3.0e6;
 
-/// Constants of the order of mu_Pa with which every term of a law contributes. Laws that need other constants fail without an entry.
+/// Constants of the order of mu_Pa with which every term of a law contributes: those of the catalogue, or larger terms.
 inline Constants constants_of(std::string_view law) {
     if (law == "mooney-rivlin")
         return {{"c10", {6.4e4}}, {"c01", {1.8e4}}, {"c20", {3e3}}, {"c11", {-2e3}}, {"c02", {1e3}}};
@@ -22,7 +23,7 @@ inline Constants constants_of(std::string_view law) {
     if (law == "gent") return {{"mu", {mu_Pa}}, {"jm", {12.0}}};
     if (law == "arruda-boyce") return {{"mu", {mu_Pa}}, {"locking_stretch", {2.1}}};
     if (law == "holzapfel-gasser-ogden") return {{"mu", {mu_Pa}}, {"k1", {2e5}}, {"k2", {0.8}}, {"angle", {0.5}}};
-    return {{"mu", {mu_Pa}}};
+    return example_constants(law);
 }
 
 inline Description description_of(std::string_view law, std::optional<double> bulk_modulus_Pa = kappa_Pa,
