@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <variant>
 
 #include "core/error.hpp"
 #include "fit/nominal.hpp"
@@ -10,35 +11,17 @@
 namespace soft::fit {
 namespace {
 
-constexpr std::array table{Candidate{"neo-hookean", "neo-hookean", 1, 0},
-                           Candidate{"mooney-rivlin-2", "mooney-rivlin", 2, 0},
+constexpr std::array table{Candidate{"neo-hookean", "neo-hookean", 1, 0, StableBy::signs},
+                           Candidate{"mooney-rivlin-2", "mooney-rivlin", 2, 0, StableBy::signs},
                            Candidate{"mooney-rivlin-5", "mooney-rivlin", 5, 0},
-                           Candidate{"yeoh", "yeoh", 3, 0},
-                           Candidate{"yeoh-5", "yeoh", 4, 1},
-                           Candidate{"ogden-1", "ogden", 1, 1},
-                           Candidate{"ogden-2", "ogden", 2, 2},
-                           Candidate{"ogden-3", "ogden", 3, 3},
-                           Candidate{"ogden-4", "ogden", 4, 4},
-                           Candidate{"gent", "gent", 1, 1},
-                           Candidate{"arruda-boyce", "arruda-boyce", 1, 1}};
-
-double value(const material::Constants& constants, std::string_view name) {
-    const auto found = constants.find(name);
-    return found == constants.end() ? 0.0 : found->second.front();
-}
-
-material::Ogden ogden_of(const material::Constants& constants) {
-    const std::vector<double>&mu = constants.at("mu"), &alpha = constants.at("alpha");
-    material::Ogden law;
-    for (std::size_t i = 0; i < mu.size(); ++i, ++law.count) law.terms[i] = {mu[i], alpha[i]};
-    return law;
-}
-
-template <class L>
-void add(const L& law, const CurvePoints& points, std::span<double> stress_Pa) {
-    for (std::size_t i = 0; i < points.stretch.size(); ++i)
-        stress_Pa[i] += nominal_stress_Pa(law, points.mode[i], points.stretch[i]);
-}
+                           Candidate{"yeoh", "yeoh", 3, 0, StableBy::signs},
+                           Candidate{"yeoh-5", "yeoh", 4, 1, StableBy::signs},
+                           Candidate{"ogden-1", "ogden", 1, 1, StableBy::signs},
+                           Candidate{"ogden-2", "ogden", 2, 2, StableBy::signs},
+                           Candidate{"ogden-3", "ogden", 3, 3, StableBy::signs},
+                           Candidate{"ogden-4", "ogden", 4, 4, StableBy::signs},
+                           Candidate{"gent", "gent", 1, 1, StableBy::signs},
+                           Candidate{"arruda-boyce", "arruda-boyce", 1, 1, StableBy::signs}};
 
 }  // namespace
 
@@ -68,17 +51,14 @@ material::Constants constants_of(const Candidate& candidate, std::span<const dou
 
 void add_stresses(const Candidate& candidate, const material::Constants& constants, const CurvePoints& points,
                   std::span<double> stress_Pa) {
-    const auto c = [&](std::string_view name) { return value(constants, name); };
-    if (candidate.law == "neo-hookean") return add(material::NeoHookean{c("mu")}, points, stress_Pa);
-    if (candidate.law == "mooney-rivlin")
-        return add(material::MooneyRivlin{c("c10"), c("c01"), c("c20"), c("c11"), c("c02")}, points, stress_Pa);
-    if (candidate.law == "yeoh")
-        return add(material::Yeoh{c("c1"), c("c2"), c("c3"), c("a"), c("b")}, points, stress_Pa);
-    if (candidate.law == "gent") return add(material::Gent{c("mu"), c("jm")}, points, stress_Pa);
-    if (candidate.law == "arruda-boyce")
-        return add(material::ArrudaBoyce{c("mu"), c("locking_stretch")}, points, stress_Pa);
-    if (candidate.law != "ogden") throw std::logic_error("no stress of the law " + std::string{candidate.law});
-    add(ogden_of(constants), points, stress_Pa);
+    const auto add = [&]<class L>(const material::Rubber<L>& rubber) {
+        if constexpr (material::InvariantLaw<L> || material::StretchLaw<L>)
+            for (std::size_t i = 0; i < points.stretch.size(); ++i)
+                stress_Pa[i] += nominal_stress_Pa(rubber.law, points.mode[i], points.stretch[i]);
+        else
+            throw std::logic_error("add_stresses: the law has no incompressible form");
+    };
+    std::visit(add, material::make_unchecked_rubber(candidate.law, constants));
 }
 
 std::optional<material::AnyRubber> rubber_of(const Candidate& candidate, const material::Constants& constants) {

@@ -100,31 +100,19 @@ void add_errors(const Solution& solution, const std::vector<TestCurve>& tests, c
 }
 
 /// True if the signs of the constants guarantee stability at every stretch.
-bool signs_suffice(const Fit& fit) {
-    const material::Constants& constants = fit.constants;
-    const auto minimum = [&](std::initializer_list<const char*> names) {
-        double value = std::numeric_limits<double>::infinity();
-        for (const char* name : names) value = std::min(value, constants.at(name).front());
-        return value;
-    };
-    if (fit.candidate.name == "yeoh") return minimum({"c1", "c2", "c3"}) >= 0.0;
-    if (fit.candidate.name == "yeoh-5") return minimum({"c1", "c2", "c3", "a"}) >= 0.0;
-    if (fit.candidate.name == "mooney-rivlin-2") return minimum({"c10", "c01"}) >= 0.0;
-    if (fit.candidate.law != "ogden") return fit.candidate.linear == 1;  // a single positive modulus
-    const std::vector<double>&mu = constants.at("mu"), &alpha = constants.at("alpha");
-    for (std::size_t i = 0; i < mu.size(); ++i)
-        if (mu[i] * alpha[i] < 0.0) return false;
-    return true;
+bool signs_suffice(const Solution& solution) {
+    return solution.candidate.stable_by == StableBy::signs &&
+           solution.projection.linear.c.head(solution.candidate.linear).minCoeff() >= 0.0;
 }
 
-void add_stability(Fit& fit) {
+void add_stability(const Solution& solution, Fit& fit) {
     const auto rubber = rubber_of(fit.candidate, fit.constants);
     if (!rubber) {
         fit.flags.emplace_back("mu0<=0");
         return;
     }
     fit.stable = true;
-    if (signs_suffice(fit)) return;
+    if (signs_suffice(solution)) return;
     const double end = fit.max_I1 * (1.0 + invariant_tolerance);
     const material::StretchRange range{
         std::min(min_scan, stretch_of_invariant(Mode::uniaxial, end, material::Sense::compression)),
@@ -168,7 +156,7 @@ Fit describe(const Solution& solution, const std::vector<TestCurve>& tests, cons
     add_list(solution, rows, fit);
     add_errors(solution, tests, rows, fit);
     add_covariance(solution, rows, fit);
-    add_stability(fit);
+    add_stability(solution, fit);
     add_flags(solution, tests, fit);
     return fit;
 }

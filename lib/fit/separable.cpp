@@ -54,8 +54,9 @@ struct Bounds {
     Eigen::VectorXd low, high;
 };
 
-/// Sign constraints that are sufficient for (Drucker) stability: neo-Hookean, Gent, Arruda-Boyce mu > 0; mooney-rivlin-2 c10, c01 >= 0;
-/// Yeoh c1 > 0, the others >= 0; Ogden mu_i alpha_i >= 0. For mooney-rivlin-5 a scan over the stretch determines stability.
+/// Sign constraints: no constant is negative, and the first is positive unless another one can be the only modulus. They are sufficient for
+/// (Drucker) stability of laws with StableBy::signs: neo-Hookean, Gent, Arruda-Boyce mu > 0; mooney-rivlin-2 c10, c01 >= 0; Yeoh c1 > 0,
+/// the others >= 0; Ogden mu_i alpha_i >= 0.
 Bounds bounds_of(const Candidate& candidate, const Rows& rows, Signs signs) {
     const auto n = static_cast<Eigen::Index>(candidate.linear);
     const auto offsets = static_cast<Eigen::Index>(rows.offset == Offset::fitted ? rows.test_count : 0);

@@ -1,6 +1,7 @@
 #include "material/catalogue.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <string>
 
@@ -85,6 +86,9 @@ template <Law L>
 Rubber<L> rubber_of(const Constants& constants, const Description& description) {
     Rubber<L> rubber{L::from(constants), description.volumetric, 0.0, description.fiber_frame,
                      fibers_in<L>(constants, description)};
+    if (!(rubber.law.initial_shear_modulus_Pa() > 0.0))
+        refuse(L::info().parameters.front().name, "the initial shear modulus is not positive",
+               "check the signs of the constants");
     if (!description.bulk_modulus_Pa) {
         if (L::info().bulk == Bulk::finite)
             refuse("kappa", "the law " + std::string(L::info().name) + " has no incompressible form",
@@ -104,14 +108,12 @@ Rubber<L> rubber_of(const Constants& constants, const Description& description) 
     return rubber;
 }
 
-template <class... L>
-AnyRubber make(std::tuple<L...>*, const Constants& constants, const Description& description) {
-    std::optional<AnyRubber> rubber;
-    const auto attempt = [&]<class One>(One*) {
-        if (One::info().name == description.law) rubber = rubber_of<One>(constants, description);
-    };
-    (attempt(static_cast<L*>(nullptr)), ...);
-    return *rubber;
+/// make(L*) of the law L with this entry of the table.
+template <class Make, class... L>
+AnyRubber made_by(const Make& make, const LawInfo& law, std::tuple<L...>*) {
+    static constexpr std::array<AnyRubber (*)(const Make&), sizeof...(L)> makers{
+        [](const Make& m) -> AnyRubber { return m(static_cast<L*>(nullptr)); }...};
+    return makers.at(static_cast<std::size_t>(&law - laws().data()))(make);
 }
 
 }  // namespace
@@ -135,7 +137,18 @@ AnyRubber make_rubber(const Description& description) {
         refuse("law", "no law is called '" + std::string(description.law) + "'",
                core::did_you_mean(description.law, names));
     }
-    return make(static_cast<LawList*>(nullptr), checked(*law, description.constants), description);
+    const Constants constants = checked(*law, description.constants);
+    return made_by([&]<class L>(L*) { return rubber_of<L>(constants, description); }, *law,
+                   static_cast<LawList*>(nullptr));
+}
+
+AnyRubber make_unchecked_rubber(std::string_view law, Constants constants) {
+    const LawInfo& info = *find_law(law);
+    for (const Parameter& parameter : info.parameters)
+        if (!parameter.fallback.empty())
+            constants.try_emplace(std::string(parameter.name), 1, fallback_value(parameter));
+    return made_by([&]<class L>(L*) { return Rubber<L>{.law = L::from(constants)}; }, info,
+                   static_cast<LawList*>(nullptr));
 }
 
 std::string explain_incompatibility(const AnyRubber& rubber, Form form) {

@@ -26,10 +26,14 @@ struct Description {
     std::optional<Fibers> fibers = {};  ///< in addition to the law; not allowed if the law has fibres
 };
 
-/// Throws Error (bad_input) for an unknown law, a missing or unknown constant, a constant outside its range, and inconsistent
-/// constants; the location is the name of the parameter ("mu", "kappa", "law"). Throws it with the location "fibers" or "fibers.k1" for
+/// Throws Error (bad_input) for an unknown law, a missing or unknown constant, a constant outside its range, inconsistent
+/// constants, and an initial shear modulus that is not positive; the location is the name of the parameter ("mu", "kappa", "law"). Throws it with the location "fibers" or "fibers.k1" for
 /// fibres that are outside their range or that the law does not support.
 [[nodiscard]] AnyRubber make_rubber(const Description& description);
+
+/// The incompressible rubber of a known law without these checks, for parts of a law such as c01 alone. Constants that are not given have
+/// their default values.
+[[nodiscard]] AnyRubber make_unchecked_rubber(std::string_view law, Constants constants);
 
 /// Reason why a rubber cannot be used with a formulation ("problem; remedy"); empty if it can.
 [[nodiscard]] std::string explain_incompatibility(const AnyRubber& rubber, Form form);

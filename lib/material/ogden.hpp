@@ -53,7 +53,7 @@ struct Ogden {
                             .example = "[1.3, 5, -2]",
                             .max_count = max_terms}}};
     }
-    /// Throws Error (bad_input) for lists of different lengths, an exponent of 0, or an initial shear modulus that is not positive.
+    /// Throws Error (bad_input) for lists of different lengths or an exponent of 0.
     static Ogden from(const Constants& constants) {
         const auto& mu = constants.at("mu");
         const auto& alpha = constants.at("alpha");
@@ -68,10 +68,6 @@ struct Ogden {
             law.terms[i] = {mu[i], alpha[i]};
             ++law.count;
         }
-        if (!(law.initial_shear_modulus_Pa() > 0.0))
-            throw Error(ExitCode::bad_input, "mu",
-                        "the initial shear modulus, half the sum of mu_i alpha_i, is not positive",
-                        "check the signs of mu and alpha");
         return law;
     }
 };

@@ -1,7 +1,9 @@
 /// Materials with constants in the ranges of silicones and their fits, and loads that exceed the limit load of most designs.
 #include <algorithm>
 #include <array>
+#include <functional>
 
+#include "../material/examples.hpp"
 #include "core/text.hpp"
 #include "draw_parts.hpp"
 
@@ -23,8 +25,6 @@ std::string pressures(const std::vector<double>& values_kPa) {
     for (const double value : values_kPa) texts.push_back(kPa(value));
     return "[" + core::join(texts) + "]";
 }
-
-using Constants = Settings (*)(Dice&, double mu_kPa);
 
 Settings mu_alone(Dice&, double mu) { return {{"mu", kPa(mu)}}; }
 
@@ -66,31 +66,60 @@ Settings holzapfel_gasser_ogden(Dice& dice, double mu) {
             {"families", "2"}};
 }
 
+/// The example of the catalogue, scaled to the modulus.
+Settings example(const material::LawInfo& law, double mu) {
+    material::Constants constants = material::example_constants(law.name);
+    const double scale = mu / material::initial_shear_modulus_Pa(material::make_unchecked_rubber(law.name, constants));
+    Settings settings;
+    for (const material::Parameter& parameter : law.parameters) {
+        std::string text{parameter.example};
+        if (parameter.quantity == material::Quantity::pressure) {
+            std::vector<double>& values = constants.at(std::string(parameter.name));
+            for (double& value : values) value *= scale;
+            text = parameter.max_count == 1 ? kPa(values.front()) : pressures(values);
+        }
+        settings.emplace_back(parameter.name, text);
+    }
+    return settings;
+}
+
 struct Law {
-    const char* name;
-    Constants constants;
+    std::string_view name;
+    std::function<Settings(Dice&, double mu_kPa)> constants;
     double weight;
     bool needs_kappa = false;
 };
-constexpr std::array laws{Law{"neo-hookean", mu_alone, 16},
-                          Law{"neo-hookean-compressible", mu_alone, 8},
-                          Law{"mooney-rivlin", mooney_rivlin, 13},
-                          Law{"yeoh", yeoh, 15},
-                          Law{"ogden", ogden, 15},
-                          Law{"gent", gent, 9},
-                          Law{"arruda-boyce", arruda_boyce, 9},
-                          Law{"holzapfel-gasser-ogden", holzapfel_gasser_ogden, 6},
-                          Law{"saint-venant-kirchhoff", mu_alone, 3, true},
-                          Law{"linear-elastic", mu_alone, 2, true},
-                          Law{"kraken", mu_alone, 2, true}};
 
-Law draw_law(Dice& dice) {
+/// All laws of the catalogue; those without an entry with the constants of their example.
+const std::vector<Law>& laws() {
+    static const std::vector<Law> all = [] {
+        std::vector<Law> laws{{"neo-hookean", mu_alone, 16},
+                              {"neo-hookean-compressible", mu_alone, 8},
+                              {"mooney-rivlin", mooney_rivlin, 13},
+                              {"yeoh", yeoh, 15},
+                              {"ogden", ogden, 15},
+                              {"gent", gent, 9},
+                              {"arruda-boyce", arruda_boyce, 9},
+                              {"holzapfel-gasser-ogden", holzapfel_gasser_ogden, 6},
+                              {"saint-venant-kirchhoff", mu_alone, 3, true},
+                              {"linear-elastic", mu_alone, 2, true},
+                              {"kraken", mu_alone, 2, true}};
+        for (const material::LawInfo& law : material::laws())
+            if (std::ranges::find(laws, law.name, &Law::name) == laws.end())
+                laws.push_back({law.name, [&law](Dice&, double mu) { return example(law, mu); }, 8,
+                                law.bulk == material::Bulk::finite});
+        return laws;
+    }();
+    return all;
+}
+
+const Law& draw_law(Dice& dice) {
     double all = 0;
-    for (const Law& law : laws) all += law.weight;
+    for (const Law& law : laws()) all += law.weight;
     double left = dice.between(0, all);
-    for (const Law& law : laws)
+    for (const Law& law : laws())
         if ((left -= law.weight) < 0) return law;
-    return laws.front();
+    return laws().front();
 }
 
 const std::vector<std::string> silicones{"dragon-skin-20",    "ecoflex-00-30",  "ecoflex-00-50",
@@ -159,7 +188,7 @@ DrawnMaterial draw_material(Dice& dice, const Shape& shape) {
         const std::string name = dice.one_of(silicones);
         return {name, 100, {{"material", name}}};
     }
-    const Law law = draw_law(dice);
+    const Law& law = draw_law(dice);
     material.law = law.name;
     material.mu_kPa = dice.between_logs(min_modulus_kPa, max_modulus_kPa);
     material.settings.emplace_back("material.law", law.name);

@@ -7,6 +7,7 @@
 #include <map>
 #include <random>
 
+#include "../material/examples.hpp"
 #include "core/error.hpp"
 #include "samples.hpp"
 
@@ -41,6 +42,7 @@ TEST(Fit, NeoHookeanFitOfSiliconesMatchesAnIndependentFit) {
 }
 
 TEST(Fit, RecoversTheConstantsOfSyntheticData) {
+    // Of the other laws, the example in the catalogue.
     const std::map<std::string, material::Constants> rubbers{
         {"neo-hookean", {{"mu", {164.4e3}}}},
         {"mooney-rivlin-2", {{"c10", {64e3}}, {"c01", {18e3}}}},
@@ -52,11 +54,15 @@ TEST(Fit, RecoversTheConstantsOfSyntheticData) {
         {"ogden-1", {{"mu", {50e3}}, {"alpha", {3.3}}}},
         {"ogden-2", {{"mu", {-2e3, 60e3}}, {"alpha", {-2.5, 2.7}}}},
         {"ogden-3", {{"mu", {-10e3, 630e3, 1.2e3}}, {"alpha", {-2.0, 1.3, 5.0}}}}};  // Ogden 1972, Treloar's rubber
-    for (const auto& [name, constants] : rubbers) {
-        const auto rubber = rubber_of(law(name), constants);
-        ASSERT_TRUE(rubber);
+    for (const Candidate& candidate : candidates()) {
+        const std::string name{candidate.name};
+        if (name == "ogden-4") continue;  // these tests do not determine eight constants
+        const auto own = rubbers.find(name);
+        const auto constants = own == rubbers.end() ? material::example_constants(candidate.law) : own->second;
+        const auto rubber = rubber_of(candidate, constants);
+        ASSERT_TRUE(rubber) << name;
         const Fit fitted = fit(
-            law(name), {synthetic_test(*rubber, Mode::uniaxial, 5.0), synthetic_test(*rubber, Mode::equibiaxial, 3.0),
+            candidate, {synthetic_test(*rubber, Mode::uniaxial, 5.0), synthetic_test(*rubber, Mode::equibiaxial, 3.0),
                         synthetic_test(*rubber, Mode::planar, 4.0)});
         for (const auto& [key, values] : constants) {
             ASSERT_EQ(fitted.constants.at(key).size(), values.size()) << name;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "core/units.hpp"
+#include "examples.hpp"
 #include "material/catalogue.hpp"
 #include "material/response.hpp"
 
@@ -14,14 +14,7 @@ namespace soft::material::sample {
 inline constexpr double mu_Pa = 0.1644e6;
 inline constexpr double kappa_Pa = 3.0e6;
 
-inline double example_of(const Parameter& parameter) {
-    const core::Dimension dimension = parameter.quantity == Quantity::pressure ? core::Dimension::pressure
-                                      : parameter.quantity == Quantity::angle  ? core::Dimension::angle
-                                                                               : core::Dimension::ratio;
-    return core::quantity_or_throw(parameter.example, dimension, ExitCode::internal, parameter.name);
-}
-
-/// Constants of the order of mu_Pa with which every term of a law contributes; those of a law without an entry are its examples.
+/// Constants of the order of mu_Pa with which every term of a law contributes: those of the catalogue, or larger terms.
 inline Constants constants_of(std::string_view law) {
     if (law == "mooney-rivlin")
         return {{"c10", {6.4e4}}, {"c01", {1.8e4}}, {"c20", {3e3}}, {"c11", {-2e3}}, {"c02", {1e3}}};
@@ -30,10 +23,7 @@ inline Constants constants_of(std::string_view law) {
     if (law == "gent") return {{"mu", {mu_Pa}}, {"jm", {12.0}}};
     if (law == "arruda-boyce") return {{"mu", {mu_Pa}}, {"locking_stretch", {2.1}}};
     if (law == "holzapfel-gasser-ogden") return {{"mu", {mu_Pa}}, {"k1", {2e5}}, {"k2", {0.8}}, {"angle", {0.5}}};
-    Constants constants;
-    for (const Parameter& parameter : find_law(law)->parameters)
-        constants[std::string{parameter.name}] = {example_of(parameter)};
-    return constants;
+    return example_constants(law);
 }
 
 inline Description description_of(std::string_view law, std::optional<double> bulk_modulus_Pa = kappa_Pa,

@@ -20,7 +20,8 @@ runs 'fit-material data/ecoflex-00-30.csv --range 0:1300% --law yeoh-5 --weights
 refuses 64 'fit-material: --weight-floor: requires relative weights; *' 'fit-material data/ecoflex-00-30.csv --weight-floor 1%'
 refuses 64 "fit-material: --weight-floor: '2' is not between 0 and 1; *" 'fit-material data/ecoflex-00-30.csv --weights relative --weight-floor 2'
 runs 'fit-material --uniaxial data/treloar-uniaxial.csv --equibiaxial data/treloar-equibiaxial.csv --planar data/treloar-planar.csv --rank --plot rank.png > rank.txt'
-claim 'there is one line per law' [ "$(wc -l <rank.txt)" -eq 12 ]
+laws=$(fit-material --help | sed -n 's/.*--law LAW.*: //p' | tr ',' '\n' | wc -l)
+claim 'there is one line per law' [ "$(wc -l <rank.txt)" -eq $((laws + 1)) ]
 claim 'the table contains predictions' grep -q predicts_equibiaxial rank.txt
 claim 'the plot is a PNG' [ "$(head -c 4 rank.png | tail -c 3)" = PNG ]
 

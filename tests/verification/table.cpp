@@ -164,6 +164,22 @@ Report kept_report(const Problem& problem, const Printed& printed) {
     return report;
 }
 
+void keep_unchanged_lines(Report& report, const Printed& printed) {
+    const auto keep = [](const Cells& header, const std::map<std::string, std::vector<Cells>>& kept,
+                         const std::string& title, std::vector<Cells>& lines) {
+        const auto found = kept.find(title);
+        if (found == kept.end()) return;
+        for (Cells& line : lines)
+            for (const Cells& old : found->second)
+                if (differences(header, {old}, {line}).empty()) {
+                    line = old;
+                    break;
+                }
+    };
+    keep(row_header(), printed.rows, report.problem->name, report.rows);
+    for (Table& table : report.tables) keep(table.header, printed.tables, table.title, table.lines);
+}
+
 Printed parse_markdown(const std::string& text) {
     Printed printed;
     std::istringstream stream(text);

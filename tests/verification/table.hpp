@@ -38,6 +38,9 @@ struct Printed {
 /// The lines from README.md for a problem that was not run.
 [[nodiscard]] Report kept_report(const Problem& problem, const Printed& printed);
 
+/// Replaces computed lines by those of README.md if they agree (see `differences`), so that times change only with a result.
+void keep_unchanged_lines(Report& report, const Printed& printed);
+
 /// All reports as Markdown, with `notes` (hand-written) at the end.
 [[nodiscard]] std::string markdown_text(std::span<const Report> reports, const std::string& notes);
 [[nodiscard]] std::string csv_text(std::span<const Report> reports);
