@@ -73,9 +73,15 @@ GroupReader::GroupReader(hid_t file, const Origin& origin)
         throw Error(ExitCode::bad_input, origin.source, "an HDF5 file, but not a soft-actuator file",
                     "expected a case from mesh-gen or a result from solve");
     const std::int64_t version = integer_attribute("format_version", 1)[0];
-    if (version != 1)
+    if (version < format_version)
         throw Error(ExitCode::bad_input, origin.source,
-                    "format version " + std::to_string(version) + " is unknown (this program reads version 1)",
+                    "an older release wrote it (format " + std::to_string(version) + ", this program reads " +
+                        std::to_string(format_version) + ")",
+                    "generate the case again with mesh-gen, and solve it again");
+    if (version > format_version)
+        throw Error(ExitCode::bad_input, origin.source,
+                    "a newer release wrote it (format " + std::to_string(version) + ", this program reads " +
+                        std::to_string(format_version) + ")",
                     "use the same release of mesh-gen, solve and postprocess");
 }
 
