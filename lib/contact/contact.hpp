@@ -11,7 +11,7 @@
 /// later states are not physical. A cell that is inverted at a plane, with rubber and not air between facet and plane, is not
 /// reported here, because det F <= 0 reports it.
 /// Cost: 0.2 ms for a section of 300 facets, about 30 ms for a solid of 5000 facets, three times that if many boxes overlap.
-/// Tested by contact/contact_test and surface/no_contact_test.
+/// Tested by contact/contact_test and contact/no_contact_test.
 #include <array>
 #include <memory>
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
 /// Distinguishes inverted walls from contact: inverted cells also make the surface intersect itself, but no air is between the two
-/// sides. Tested by contact/contact_test and surface/no_contact_test.
+/// sides. Tested by contact/contact_test and contact/no_contact_test.
 #include <array>
 #include <span>
 

@@ -1,5 +1,5 @@
 # Fetches the pinned packages of package-lock.json and generates viewer_bundle.cpp; if that fails, the file contains the reason.
-#   cmake -D SOURCE=lib/report -D WORK=folder -D OUTPUT=viewer_bundle.cpp [-D NPM=npm -D NODE=node] -P build_viewer.cmake
+#   cmake -D SOURCE=lib/view -D WORK=folder -D OUTPUT=viewer_bundle.cpp [-D NPM=npm -D NODE=node] -P build_viewer.cmake
 set(reason "")
 if(NPM AND NODE)
   file(MAKE_DIRECTORY ${WORK})
@@ -23,6 +23,6 @@ else()
   set(reason "npm was not installed")
 endif()
 if(reason)
-  file(WRITE ${OUTPUT} "#include \"view/viewer_bundle.hpp\"\n\nnamespace soft::report {\n
-ViewerBundle viewer_bundle() noexcept { return {{}, {}, \"\", \"${reason}\"}; }\n\n}  // namespace soft::report\n")
+  file(WRITE ${OUTPUT} "#include \"view/viewer_bundle.hpp\"\n\nnamespace soft::view {\n
+ViewerBundle viewer_bundle() noexcept { return {{}, {}, \"\", \"${reason}\"}; }\n\n}  // namespace soft::view\n")
 endif()

@@ -20,7 +20,7 @@ function literal(text) {
 writeFileSync(process.argv[2], `// Made by build_viewer.mjs.
 #include "view/viewer_bundle.hpp"
 
-namespace soft::report {
+namespace soft::view {
 namespace {
 using namespace std::string_view_literals;
 constexpr std::string_view script[] = {
@@ -33,5 +33,5 @@ ${literal(licence)}
 
 ViewerBundle viewer_bundle() noexcept { return {script, licence, "three.js ${three.version}", ""}; }
 
-}  // namespace soft::report
+}  // namespace soft::view
 `);
