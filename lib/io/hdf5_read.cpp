@@ -180,20 +180,10 @@ template std::vector<std::uint8_t> GroupReader::array(const std::string&, const 
 
 double GroupReader::number(const std::string& name) const { return array<double>(name, {})[0]; }
 
-std::int64_t GroupReader::count(const std::string& name, std::int64_t min, std::int64_t max) const {
-    const std::int64_t value = array<std::int64_t>(name, {})[0];
-    if (value < min || value > max) throw refuse(name, std::to_string(value) + " is out of range");
-    return value;
-}
-
 int GroupReader::to_int(const std::string& item, std::int64_t value, int min) const {
     if (value < min || value > std::numeric_limits<int>::max())
         throw refuse(item, std::to_string(value) + " is out of range");
     return static_cast<int>(value);
-}
-
-int GroupReader::int_count(const std::string& name, int min) const {
-    return to_int(name, array<std::int64_t>(name, {})[0], min);
 }
 
 std::vector<std::uint8_t> GroupReader::flags(const std::string& name, const Shape& shape) const {

@@ -196,7 +196,7 @@ const std::vector<Corruption>& corruptions() {
         {"DatasetForAGroup",
          [](hid_t f) {
              unlink(f, "/shape/supports");
-             write_count(f, {"/shape/supports", "1", ""}, 1);
+             write_number(f, {"/shape/supports", "1", ""}, 1);
          },
          "/shape/supports"},
         {"ExternalLink",
