@@ -50,7 +50,7 @@ private:
 constexpr const char* good_design = R"(family: imported
 geometry:
   file: section.msh
-  cavities: {main: cavity, annex: cavity}
+  cavities: {main: main, annex: annex}
 material: {law: neo-hookean, mu: 164.4 kPa, density: 1080 kg/m^3}
 materials: {collar: {law: ogden, mu: [100 kPa, 2 kPa], alpha: [1.3, 5], density: 1200 kg/m^3}}
 model: axisymmetric
@@ -73,8 +73,11 @@ outputs:
 
 std::vector<std::byte> good_result() {
     using namespace io::test;
-    const model::Case section = section_case();
+    model::Case section = section_case();
+    section.mesh.facet_sets["main"] = {{0, 0}};  // a design calls a cavity like its wall
+    section.mesh.facet_sets["annex"] = {{1, 0}};
     model::Shape shape = shape_of(section);
+    for (model::Cavity& cavity : shape.cavities) cavity.wall = cavity.name;
     shape.region_materials = {{"collar", "collar"}};
     shape.region_fibers.clear();
     const auto given = io::write_case(section.mesh, shape, {good_design, {}}, example_provenance("mesh-gen"));
