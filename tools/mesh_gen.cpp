@@ -78,7 +78,7 @@ ExitCode build(const cli::MeshGenOptions& options, const cli::Input& input,
         const io::Provenance provenance{std::string{about.tool}, std::string{cli::version()},
                                         std::string{cli::revision()}, cli::library_lines(about),
                                         options.common.command_line};
-        const auto image = io::write_case(model, {design.family, design.effective_yaml, options.sets}, provenance);
+        const auto image = io::write_case(model.mesh, built.shape, {design.effective_yaml, options.sets}, provenance);
         cli::write_output(options.common.output, image, cli::Content::binary);
     }
     for (const std::string& line : cli::summary_lines(summary)) console.say(line);

@@ -5,6 +5,7 @@
 
 #include "cli.hpp"
 #include "core/text.hpp"
+#include "geometry/build.hpp"
 #include "io/result_file.hpp"
 #include "post/csv.hpp"
 #include "post/curve.hpp"
@@ -43,7 +44,7 @@ ExitCode postprocess(const PostprocessOptions& options) {
     }
     cli::Input input = cli::read_hdf5_input(options.input);
     const core::Bytes image = copies_result(options.pictures) ? input.bytes : core::Bytes{};
-    const io::Result result = io::read_result(std::move(input.bytes), input.source);
+    const io::Result result = io::read_result(std::move(input.bytes), input.source, geometry::rebuild_case);
     post::Curve curve = post::make_curve(result.model, result.steps);
     if (options.lists_outputs) {
         cli::write_output(options.common.output, post::column_text(curve.columns));

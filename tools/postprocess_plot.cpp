@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "cli.hpp"
+#include "geometry/build.hpp"
 #include "post/band.hpp"
 #include "postprocess_checks.hpp"
 
@@ -20,7 +21,7 @@ post::PlotSeries read_other(const std::string& text) {
         label = text.substr(colon + 1);
     }
     cli::Input input = cli::read_hdf5_input(file);
-    const io::Result other = io::read_result(std::move(input.bytes), input.source);
+    const io::Result other = io::read_result(std::move(input.bytes), input.source, geometry::rebuild_case);
     if (label.empty()) label = other.model.name;
     return {label, post::make_curve(other.model, other.steps), other.end.value_or(model::PathEnd{})};
 }

@@ -9,6 +9,8 @@
 #include "contact_check.hpp"
 #include "core/text.hpp"
 #include "design/fitted.hpp"
+#include "design/tree.hpp"
+#include "geometry/build.hpp"
 #include "interrupt.hpp"
 #include "io/result_file.hpp"
 #include "linalg/profile.hpp"
@@ -16,7 +18,6 @@
 #include "post/path_warnings.hpp"
 #include "ranks.hpp"
 #include "solve_accuracy.hpp"
-#include "solve_changes.hpp"
 #include "solve_summary.hpp"
 #include "solver/motion.hpp"
 #include "solver/path.hpp"
@@ -37,21 +38,34 @@ struct Task {
     bool resumes = false;
 };
 
+/// Reads the case and applies --set; `changed` receives the changed design.
+io::CaseFile read_changed_case(const Input& input, const std::vector<std::string>& sets,
+                               std::optional<io::DesignText>& changed) {
+    std::vector<design::Override> overrides;
+    for (const std::string& set : sets) overrides.push_back(design::parse_override(set));
+    return io::read_case_file(
+        input.bytes, input.source,
+        [&](mesh::Mesh mesh, const model::Shape& shape, std::string_view yaml, std::string_view source) {
+            const design::Design design = geometry::read_built_design(mesh, shape, yaml, source, overrides);
+            if (!sets.empty()) changed = {design.effective_yaml, sets};
+            return geometry::build_case(design, std::move(mesh), shape);
+        });
+}
+
 Task read_task(const SolveOptions& options, int rank) {
     Task task;
     task.resumes = !options.resume.empty();
     task.output = task.resumes ? options.resume : options.common.output;
     task.input = read_input_on_first_rank(task.resumes ? options.resume : options.input, rank);
     if (task.resumes) {
-        task.from = io::read_interrupted(task.input.bytes, task.input.source);
+        task.from = io::read_interrupted(task.input.bytes, task.input.source, geometry::rebuild_case);
         for (const io::Provenance& stage : task.from.file.provenance)
             if (stage.tool == solve_about().tool && stage.command_line.find(" --tolerance") != std::string::npos)
                 throw Error(ExitCode::bad_input, task.input.source, "a run with --tolerance cannot be resumed",
                             "solve the case again with --tolerance; postprocess reads the existing rows");
         task.changed = task.from.changed_design;
     } else {
-        task.from.file = io::read_case_file(task.input.bytes, task.input.source);
-        task.changed = apply_sets(options.sets, task.from.file);
+        task.from.file = read_changed_case(task.input, options.sets, task.changed);
     }
     return task;
 }
@@ -191,6 +205,10 @@ ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) 
             console.warn(task.output + " was removed or replaced during the run; it is written again");
         const auto bytes = writer->finish(summary.end);
         if (task.output == "-") write_output("-", bytes, Content::binary);
+        const io::DesignText& text = task.changed ? *task.changed : task.from.file.design;
+        const design::Node written = design::parse_yaml(text.effective_yaml, "/design");
+        summary.linear_solver = design::find_path(written, "solver.linear")->text;
+        if (model.dynamics) summary.integrator = design::find_path(written, "dynamics.integrator")->text;
         const ProcessTimes times = process_times();
         summary.cpu_s = times.user_s + times.system_s - options.cpu_before_s;
         summary.peak_memory_MB = peak_memory_MB();
@@ -204,7 +222,6 @@ ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) 
         for (const std::string& line : profile_lines(summary)) console.say(line);
         if (summary.accuracy)
             for (const std::string& line : accuracy_lines(*summary.accuracy)) console.warn(line);
-        const io::DesignText& text = task.changed ? *task.changed : task.from.file.design;
         if (const auto advice = design::fit_range_advice(text.effective_yaml, summary.max_stretch_p99))
             console.warn(*advice);
         if (summary.first && summary.last)

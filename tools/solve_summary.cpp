@@ -11,7 +11,6 @@
 
 #include "core/text.hpp"
 #include "core/units.hpp"
-#include "io/names.hpp"
 
 namespace soft::cli {
 namespace {
@@ -60,18 +59,10 @@ void add_point(nlohmann::ordered_json& json, const Point& point, const model::Ca
             point.outputs[i];
 }
 
-/// A name of the file format in the spelling of a design: "generalized-alpha".
-std::string design_word(std::string_view word) {
-    std::string text{word};
-    std::replace(text.begin(), text.end(), '_', '-');
-    return text;
-}
-
 std::string time_text(double time_s) { return core::quantity_text(time_s, core::Dimension::time); }
 
 nlohmann::ordered_json motion_json(const SolveSummary& summary, const model::Dynamics& dynamics) {
-    nlohmann::ordered_json json = {{"integrator", design_word(io::name_of(io::integrator_names, dynamics.integrator))},
-                                   {"duration_s", dynamics.duration_s}};
+    nlohmann::ordered_json json = {{"integrator", summary.integrator}, {"duration_s", dynamics.duration_s}};
     if (summary.last && summary.last->motion) {
         json["time_s"] = summary.last->motion->time_s;
         json["kinetic_energy_J"] = summary.last->motion->kinetic_energy_J;
@@ -83,8 +74,7 @@ nlohmann::ordered_json motion_json(const SolveSummary& summary, const model::Dyn
 }
 
 std::string motion_text(const SolveSummary& summary, const model::Dynamics& dynamics) {
-    std::string text =
-        design_word(io::name_of(io::integrator_names, dynamics.integrator)) + " over " + time_text(dynamics.duration_s);
+    std::string text = summary.integrator + " over " + time_text(dynamics.duration_s);
     if (const auto error = summary.energy.error())
         text += ", energy balance within " + core::rounded_text(100 * *error, 2) + " %";
     return text + "; ";
@@ -175,23 +165,22 @@ std::vector<std::string> profile_lines(const SolveSummary& summary) {
 }
 
 nlohmann::ordered_json summary_json(const SolveSummary& summary, const model::Case& model) {
-    nlohmann::ordered_json json = {
-        {"tool", "solve"},
-        {"version", version()},
-        {"revision", revision()},
-        {"case", model.name},
-        {"stop_reason", model::name(summary.end.reason)},
-        {"detail", summary.end.detail},
-        {"steps", summary.steps},
-        {"newton_iterations", summary.end.newton_iterations},
-        {"factorizations", summary.end.factorizations},
-        {"unknowns", summary.unknowns},
-        {"linear_solver", design_word(io::name_of(io::linear_names, model.solver.linear.method))},
-        {"ranks", summary.ranks},
-        {"wall_s", summary.wall_s},
-        {"cpu_s", summary.cpu_s},
-        {"peak_memory_MB", summary.peak_memory_MB},
-        {"limit_points", nlohmann::ordered_json::array()}};
+    nlohmann::ordered_json json = {{"tool", "solve"},
+                                   {"version", version()},
+                                   {"revision", revision()},
+                                   {"case", model.name},
+                                   {"stop_reason", model::name(summary.end.reason)},
+                                   {"detail", summary.end.detail},
+                                   {"steps", summary.steps},
+                                   {"newton_iterations", summary.end.newton_iterations},
+                                   {"factorizations", summary.end.factorizations},
+                                   {"unknowns", summary.unknowns},
+                                   {"linear_solver", summary.linear_solver},
+                                   {"ranks", summary.ranks},
+                                   {"wall_s", summary.wall_s},
+                                   {"cpu_s", summary.cpu_s},
+                                   {"peak_memory_MB", summary.peak_memory_MB},
+                                   {"limit_points", nlohmann::ordered_json::array()}};
     for (const auto& limit : summary.end.limit_points) {
         nlohmann::ordered_json point = {{"step", limit.step}};
         add_point(point, limit, model);

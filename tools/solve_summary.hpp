@@ -29,6 +29,7 @@ struct AccuracySummary {
 
 struct SolveSummary {
     model::PathEnd end;
+    std::string linear_solver, integrator;   ///< as in the design; integrator: of a dynamic case
     std::optional<model::Step> first, last;  ///< rows of the path
     std::optional<int> first_unstable_row;
     bool became_unstable = false;                       ///< some row is unstable under the active control

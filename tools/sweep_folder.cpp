@@ -13,6 +13,7 @@
 #include "core/files.hpp"
 #include "core/subprocess.hpp"
 #include "core/text.hpp"
+#include "geometry/build.hpp"
 #include "io/result_file.hpp"
 #include "post/csv.hpp"
 #include "post/curve.hpp"
@@ -62,7 +63,8 @@ sweep::State state_in(const fs::path& folder, const sweep::PlannedDesign& design
 }
 
 io::Result whole_result(const fs::path& file) {
-    io::Result result = io::read_result(core::read_regular_file(file, core::no_limit), file.string());
+    io::Result result =
+        io::read_result(core::read_regular_file(file, core::no_limit), file.string(), geometry::rebuild_case);
     if (!result.end) throw Error(ExitCode::bad_input, file.string(), "contains an unfinished path");
     return result;
 }

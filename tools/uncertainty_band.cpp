@@ -15,6 +15,7 @@
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "fit/shifted_constants.hpp"
+#include "geometry/build.hpp"
 #include "io/result_file.hpp"
 #include "library_versions.hpp"
 #include "post/band.hpp"
@@ -101,7 +102,7 @@ std::optional<Run> read_run(const std::string& folder, std::size_t number) {
     const fs::path file = fs::path(folder) / name.data();
     std::error_code unknown;
     if (!fs::exists(file, unknown)) return std::nullopt;
-    Run run{io::read_result(core::read_file(file), file.string()), {}};
+    Run run{io::read_result(core::read_file(file), file.string(), geometry::rebuild_case), {}};
     if (run.result.steps.empty()) return std::nullopt;
     run.curve = post::make_curve(run.result.model, run.result.steps);
     return run;

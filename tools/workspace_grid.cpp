@@ -16,6 +16,7 @@
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "design/design.hpp"
+#include "geometry/build.hpp"
 #include "geometry/family.hpp"
 #include "io/result_file.hpp"
 #include "library_versions.hpp"
@@ -249,7 +250,7 @@ void draw(const Points& points, const std::string& file) {
 
 ExitCode write_points(const GridOptions& options) {
     cli::Input input = cli::read_hdf5_input(options.results);
-    const io::Result result = io::read_result(std::move(input.bytes), input.source);
+    const io::Result result = io::read_result(std::move(input.bytes), input.source, geometry::rebuild_case);
     if (result.steps.empty()) throw Error(ExitCode::bad_input, input.source, "the path has no rows");
     const Points points = points_of(result);
     cli::write_output(options.common.output, csv_text(points));

@@ -141,26 +141,12 @@ struct Design {
 /// Name of the main material in keys that refer to a material by name.
 inline constexpr std::string_view main_region = "rubber";
 
-/// A load with a direction, which is fixed when the mesh is generated: the changed load is `factor` times the load of the case.
-struct ScaledLoad {
-    std::size_t index;  ///< into the list of the case; loads that are not listed are removed
-    double factor;
-    model::TimeFunction time_function = {};  ///< replaces that of the case
-};
-struct SolveChanges {
-    model::Material material;
-    std::map<std::string, model::Material, std::less<>> materials;
-    std::vector<model::PressureLoad> loads;
-    std::vector<ScaledLoad> tractions, body_forces, motions;  ///< refer to Case::tractions, body_forces, motions
-    model::PathSettings path;
-    model::SolverSettings solver;
-    std::optional<model::Dynamics> dynamics;
-    std::string effective_yaml;
-};
-/// Applies overrides to the effective design of a case and returns the changed parts. Only material, materials, loads, path, dynamics
-/// and solver may change; overrides of geometry, mesh, model, supports, outputs and family are rejected with the reason. Loads may
-/// change in magnitude and kind but stay on the faces and cavities that the case loads; any alias may be used.
-[[nodiscard]] SolveChanges apply_overrides(std::string_view effective_yaml, std::span<const Override> overrides);
+/// Reads the effective design of a case. `built`: faces and cavities of its mesh, so that the file of a shape is not read again.
+/// `overrides` are those of solve: they may change material, materials, loads, path, dynamics and solver. Throws Error (usage) for
+/// the sections that are built into the mesh.
+[[nodiscard]] Design read_built_design(std::string_view effective_yaml, std::string_view source,
+                                       std::span<const FamilyKeys> families, std::span<const Override> overrides,
+                                       const FileFaces& built);
 
 /// Resolves a file name that is written at `location`: relative to the folder of the design file, or to the working directory for
 /// the command line and stdin.

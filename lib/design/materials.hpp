@@ -21,7 +21,7 @@ inline constexpr std::string_view main_material = "material", materials_group = 
 
 /// Adds the keys of all materials. Throws Error(bad_input) for an unknown or missing law, for young/poisson together with mu/kappa, and
 /// for `volumetric` with a law that defines its own volumetric energy. `default_frame` (cylindrical | cartesian) is the default of
-/// the fibre frame; if it is empty, the frame is required.
+/// the fibre frame.
 void add_material_keys(Schema& schema, const Node& root, std::string_view source, Examples& examples,
                        std::string_view default_frame);
 

@@ -110,8 +110,9 @@ void add_face_rule_names(FaceNames& names, const Node& root) {
 }
 
 /// The names that supports, loads and outputs may refer to. Other checks need the faces, so a missing file is rejected first.
-FaceNames face_names(const Node& root, std::string_view source, const FamilyKeys& family) {
+FaceNames face_names(const Node& root, std::string_view source, const FamilyKeys& family, const FileFaces* built) {
     if (!family.faces_of_file) return with_cavities({family.faces, family.aliases}, family);
+    if (built != nullptr) return {built->faces, family.aliases, built->cavities};
     const Key& key = family.geometry.front();
     const Node* file = find_path(root, key.path);
     if (file == nullptr || file->kind != Node::Kind::scalar) {
@@ -210,7 +211,7 @@ bool is_of_revolution(const Node& root, const FamilyKeys& family) {
     return std::holds_alternative<double>(value) && std::get<double>(value) > 0;
 }
 
-Checked check_design(Node root, std::string_view source, const FamilyKeys& family) {
+Checked check_design(Node root, std::string_view source, const FamilyKeys& family, const FileFaces* built) {
     const Node defaults = parse_fragment(family.defaults, default_location);
     if (!family.faces_of_file)
         fill_sections(root, defaults);  // there are no default supports and outputs for the faces of a file
@@ -218,7 +219,7 @@ Checked check_design(Node root, std::string_view source, const FamilyKeys& famil
     fill_empty_until(root);
     Checked checked;
     Schema schema;
-    schema.faces = face_names(root, source, family);
+    schema.faces = face_names(root, source, family, built);
     schema.dynamic = is_dynamic(root);
     Examples examples;
     append(schema.keys, head_keys(family));
@@ -247,11 +248,7 @@ Values values_of(std::span<const Item> items) {
     return values;
 }
 
-Design read_design(std::string_view text, std::string_view source, std::span<const FamilyKeys> families,
-                   std::span<const Override> overrides) {
-    Node root = overridden_design(text, source, families, overrides);
-    const FamilyKeys& family = family_of(root, source, families);
-    const Checked checked = check_design(std::move(root), source, family);
+Design design_of(const Checked& checked, const FamilyKeys& family) {
     Design design;
     design.values = values_of(checked.items);
     design.family = family.name;
@@ -280,6 +277,13 @@ Design read_design(std::string_view text, std::string_view source, std::span<con
     design.effective_yaml = write_yaml(tree_of(checked.items));
     design.warnings = plausibility(design);
     return design;
+}
+
+Design read_design(std::string_view text, std::string_view source, std::span<const FamilyKeys> families,
+                   std::span<const Override> overrides) {
+    Node root = overridden_design(text, source, families, overrides);
+    const FamilyKeys& family = family_of(root, source, families);
+    return design_of(check_design(std::move(root), source, family), family);
 }
 
 }  // namespace soft::design

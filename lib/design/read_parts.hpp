@@ -28,7 +28,11 @@ struct Checked {
     std::vector<LoadEntry> loads;
     std::vector<StageEntry> stages;
 };
-[[nodiscard]] Checked check_design(Node root, std::string_view source, const FamilyKeys& family);
+/// `built`: faces of the mesh, instead of those in the file of the shape.
+[[nodiscard]] Checked check_design(Node root, std::string_view source, const FamilyKeys& family,
+                                   const FileFaces* built = nullptr);
+/// The design of checked values.
+[[nodiscard]] Design design_of(const Checked& checked, const FamilyKeys& family);
 
 [[nodiscard]] Values values_of(std::span<const Item> items);
 

@@ -122,7 +122,6 @@ std::string name_between(const std::string& path, std::string_view prefix, std::
 }
 
 void check_direction(const Values& values, const std::string& path) {
-    if (!values.has("model")) return;  // overrides of solve: the direction is that of the case
     const std::string& model = values.text("model");
     std::string along = values.text(path);
     if (along.starts_with('-')) along.erase(0, 1);

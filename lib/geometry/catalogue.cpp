@@ -1,6 +1,7 @@
 #include <array>
 #include <vector>
 
+#include "core/text.hpp"
 #include "geometry/family.hpp"
 
 namespace soft::geometry {
@@ -19,6 +20,12 @@ std::span<const design::FamilyKeys> catalogue_keys() {
         return all;
     }();
     return keys;
+}
+
+const Family& family_of(const std::string& name) {
+    for (const Family& family : catalogue())
+        if (family.keys.name == name) return family;
+    throw Error(ExitCode::bad_input, "family", "no family is called " + core::quoted(name));
 }
 
 Model model_of(const design::Values& values) {

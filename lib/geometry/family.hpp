@@ -15,6 +15,7 @@
 #include "meshing/section.hpp"
 #include "meshing/sweep.hpp"
 #include "model/case.hpp"
+#include "model/shape.hpp"
 
 namespace soft::geometry {
 
@@ -55,15 +56,11 @@ struct Body {
     std::map<std::string, std::string> region_materials = {};
     double strip_rad =
         0;  ///< of a solid of revolution: angle of the sector about z < 0 whose cells form separate regions (strip.hpp)
-    struct Winding {
-        model::Fibers fibers;                                      ///< angle from the axis x
-        model::FiberFrame frame = model::FiberFrame::cylindrical;  ///< cartesian: in flat walls across z
-    };
-    std::map<std::string, Winding> region_fibers = {};  ///< by region name
-    std::optional<PartFigures> part = {};               ///< of the surface file that was meshed
-    std::vector<std::string> notes = {};                ///< for the user: how the shape was interpreted
-    std::vector<model::Support> supports;               ///< of the shape, in addition to symmetry planes and axis
-    std::vector<std::string> warnings = {};             ///< for a mesh that is too coarse for the shape
+    std::map<std::string, model::Shape::Winding> region_fibers = {};  ///< by region name
+    std::optional<PartFigures> part = {};                             ///< of the surface file that was meshed
+    std::vector<std::string> notes = {};                              ///< for the user: how the shape was interpreted
+    std::vector<model::Support> supports;    ///< of the shape, in addition to symmetry planes and axis
+    std::vector<std::string> warnings = {};  ///< for a mesh that is too coarse for the shape
 };
 
 struct Family {
@@ -89,6 +86,9 @@ struct Family {
 
 /// All families, in the order of --list.
 [[nodiscard]] std::span<const Family> catalogue();
+
+/// Throws Error (bad_input) for an unknown name.
+[[nodiscard]] const Family& family_of(const std::string& name);
 
 /// The keys of all families, as design::read_design expects them.
 [[nodiscard]] std::span<const design::FamilyKeys> catalogue_keys();

@@ -16,13 +16,13 @@ namespace {
 using Vector = std::array<double, 3>;
 
 /// Area mean of the outward unit normal of a face; shorter than 1 where the face is not flat.
-Vector mean_normal(const Solid& solid, const std::string& face) {
+Vector mean_normal(const Meshed& meshed, const std::string& face) {
     Vector sum{};
     double area = 0;
-    for (const mesh::Facet& facet : solid.mesh.facet_sets.at(face)) {
-        const mesh::CellType type = facet_type(solid.mesh, facet);
+    for (const mesh::Facet& facet : meshed.mesh.facet_sets.at(face)) {
+        const mesh::CellType type = facet_type(meshed.mesh, facet);
         for (const mesh::QuadraturePoint& point : mesh::volume_rule(type)) {
-            const auto n = mesh::facet_normal(solid.mesh, facet, mesh::shape_values(type, point.xi));
+            const auto n = mesh::facet_normal(meshed.mesh, facet, mesh::shape_values(type, point.xi));
             for (std::size_t i = 0; i < 3; ++i) sum[i] += point.weight * n[i];
             area += point.weight * std::hypot(n[0], n[1], n[2]);
         }
@@ -31,52 +31,104 @@ Vector mean_normal(const Solid& solid, const std::string& face) {
     return sum;
 }
 
-const char* component_name(const Solid& solid, std::size_t component) {
+/// A direction requested at a face.
+struct DirectionRequest {
+    std::string key;  ///< for errors: "outputs.elongation.along"
+    std::string face;
+    std::string along;  ///< axis | x | y | z | r | normal
+};
+
+/// Its unit vector. `normal` points out of the undeformed face, which must be flat.
+Vector direction_of(const DirectionRequest& request, const Meshed& meshed) {
+    const std::string& along = request.along;
+    if (along == "axis") return meshed.shape.axis;
+    if (along == "x") return {1, 0, 0};
+    if (along == "normal") {
+        constexpr double flat = 1 - 1e-9;  // rounding of the sums; a curved face falls far below
+        const auto n = mean_normal(meshed, request.face);
+        if (!(std::hypot(n[0], n[1], n[2]) >= flat))  // also of a face without area
+            throw Error(ExitCode::bad_input, request.key, "face " + core::quoted(request.face) + " is not flat",
+                        "use axis, x, y or z");
+        return n;
+    }
+    // The mean of y or z over a full turn has no meaning for a section, and r is not a fixed direction of a solid.
+    const bool revolved = meshed.shape.kinematics == model::Kinematics::axisymmetric;
+    const bool plane = meshed.shape.kinematics == model::Kinematics::plane_strain;
+    if (along == "r" && revolved) return {0, 1, 0};
+    if (along == "y" && !revolved) return {0, 1, 0};
+    if (along == "z" && !revolved && !plane) return {0, 0, 1};
+    throw Error(ExitCode::bad_input, request.key, core::quoted(along) + " is not a direction of this model",
+                revolved ? "use axis, x, r or normal"
+                : plane  ? "use axis, x, y or normal"
+                         : "use axis, x, y, z or normal");
+}
+
+const char* component_name(const Meshed& meshed, std::size_t component) {
     constexpr std::array<const char*, 3> names{"x", "y", "z"};
-    return component == 1 && solid.kinematics == model::Kinematics::axisymmetric ? "r" : names[component];
+    return component == 1 && meshed.shape.kinematics == model::Kinematics::axisymmetric ? "r" : names[component];
+}
+
+/// Whether the load needs the volume of a cavity.
+bool has_gas(const design::Design& design, std::size_t load) {
+    return design.loads[load].targets.size() > 1 || design.loads[load].line ||
+           std::ranges::any_of(design.path.stages, [&](const model::Stage& stage) {
+               return stage.supplies.at(load).what != model::Prescription::pressure;
+           });
+}
+
+void add_pressures(model::Case& result, const design::Design& design, const Meshed& meshed) {
+    result.loads = design.loads;
+    for (std::size_t i = 0; i < result.loads.size(); ++i)
+        for (const std::string& target : result.loads[i].targets) {
+            if (std::ranges::find(result.cavities, target, &model::Cavity::name) != result.cavities.end()) continue;
+            if (has_gas(design, i))
+                throw Error(ExitCode::bad_input, "loads." + target, "the case has no such cavity",
+                            "rebuild the case with mesh-gen");
+            require_face(meshed, target, "loads." + target);
+        }
 }
 
 void add_body_forces(model::Case& result, const design::Design& design, const Meshed& meshed) {
     for (const auto& request : design.body_forces) {
         const std::string path = "loads." + request.name + ".along";
         const bool against = request.along.starts_with('-');
-        Vector acceleration =
-            direction_of({path, "", request.along.substr(against ? 1 : 0)}, meshed.body, meshed.solid);
+        Vector acceleration = direction_of({path, "", request.along.substr(against ? 1 : 0)}, meshed);
         for (double& component : acceleration)
             component *= against ? -request.acceleration_m_s2 : request.acceleration_m_s2;
         for (std::size_t i = 0; i < 3; ++i) {
             if (acceleration[i] == 0) continue;
-            if (meshed.solid.symmetry_planes[i])
+            if (meshed.shape.symmetry_planes[i])
                 throw design.values.refuse(path,
-                                           std::string{"the symmetry plane "} + component_name(meshed.solid, i) +
+                                           std::string{"the symmetry plane "} + component_name(meshed, i) +
                                                " = 0 of the model would mirror the weight",
                                            "use a model without this plane, or another direction");
-            if (meshed.body.anchoring == Anchoring::middle_planes && i > 0)
+            if (std::ranges::find(meshed.shape.supports, middle_faces[i], &model::Support::face) !=
+                meshed.shape.supports.end())
                 throw design.values.refuse(path, "no support carries the weight of the body", "remove gravity");
         }
         result.body_forces.push_back({request.name, acceleration, request.time_function});
     }
 }
 
-model::FaceSymmetry symmetry_of(const Solid& solid, const std::string& face) {
-    return model::face_symmetry(solid.mesh, {solid.kinematics, solid.symmetry_planes}, face);
+model::FaceSymmetry symmetry_of(const Meshed& meshed, const std::string& face) {
+    return model::face_symmetry(meshed.mesh, {meshed.shape.kinematics, meshed.shape.symmetry_planes}, face);
 }
 
 /// Undeformed area of the whole face of the whole actuator. Throws for a direction that a symmetry plane would mirror.
-double whole_area_m2(const Solid& solid, const DirectionRequest& request, const Vector& direction,
+double whole_area_m2(const Meshed& meshed, const DirectionRequest& request, const Vector& direction,
                      const design::Values& values) {
-    const model::FaceSymmetry symmetry = symmetry_of(solid, request.face);
+    const model::FaceSymmetry symmetry = symmetry_of(meshed, request.face);
     if (model::uncancelled_force(symmetry, direction) != direction)
         throw values.refuse(request.key, "a symmetry plane of the model would mirror the force",
                             "use a model without this plane, or another direction");
     double area_m2 = 0;
-    for (const mesh::Facet& facet : solid.mesh.facet_sets.at(request.face)) {
-        const auto reference = fem::make_reference_facet(mesh::facet_type(solid.mesh, facet));
-        const auto nodes = mesh::facet_nodes(solid.mesh, facet);
+    for (const mesh::Facet& facet : meshed.mesh.facet_sets.at(request.face)) {
+        const auto reference = fem::make_reference_facet(mesh::facet_type(meshed.mesh, facet));
+        const auto nodes = mesh::facet_nodes(meshed.mesh, facet);
         std::vector<double> X(static_cast<std::size_t>(reference.dofs())), weights(nodes.size());
-        for (std::size_t i = 0; i < static_cast<std::size_t>(solid.mesh.dimension); ++i)
-            for (std::size_t a = 0; a < nodes.size(); ++a) X[i * nodes.size() + a] = solid.mesh.point(nodes[a])[i];
-        area_m2 += fem::facet_area(reference, solid.kinematics, X, weights);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(meshed.mesh.dimension); ++i)
+            for (std::size_t a = 0; a < nodes.size(); ++a) X[i * nodes.size() + a] = meshed.mesh.point(nodes[a])[i];
+        area_m2 += fem::facet_area(reference, meshed.shape.kinematics, X, weights);
     }
     return symmetry.copies * area_m2;
 }
@@ -92,8 +144,8 @@ std::size_t component_along(const Vector& direction) {
 void add_motions(model::Case& result, const design::Design& design, const Meshed& meshed) {
     for (const auto& request : design.motions) {
         const std::string location = "loads." + request.face, path = location + ".along";
-        require_face(meshed.solid.mesh, request.face, location, meshed.keys);
-        const Vector direction = direction_of({path, request.face, request.along}, meshed.body, meshed.solid);
+        require_face(meshed, request.face, location);
+        const Vector direction = direction_of({path, request.face, request.along}, meshed);
         const std::size_t component = component_along(direction);
         if (component == 3)
             throw design.values.refuse(path, "a motion must follow a coordinate axis, and this direction does not",
@@ -104,15 +156,15 @@ void add_motions(model::Case& result, const design::Design& design, const Meshed
     }
 }
 
-std::set<mesh::Index> nodes_of(const Solid& solid, const std::string& face) {
+std::set<mesh::Index> nodes_of(const Meshed& meshed, const std::string& face) {
     std::set<mesh::Index> nodes;
-    for (const mesh::Facet& facet : solid.mesh.facet_sets.at(face))
-        for (const mesh::Index node : mesh::facet_nodes(solid.mesh, facet)) nodes.insert(node);
+    for (const mesh::Facet& facet : meshed.mesh.facet_sets.at(face))
+        for (const mesh::Index node : mesh::facet_nodes(meshed.mesh, facet)) nodes.insert(node);
     return nodes;
 }
 
-bool share_a_node(const Solid& solid, const std::string& one, const std::string& other) {
-    const std::set<mesh::Index> nodes = nodes_of(solid, one), others = nodes_of(solid, other);
+bool share_a_node(const Meshed& meshed, const std::string& one, const std::string& other) {
+    const std::set<mesh::Index> nodes = nodes_of(meshed, one), others = nodes_of(meshed, other);
     return std::ranges::any_of(others, [&](mesh::Index node) { return nodes.contains(node); });
 }
 
@@ -121,7 +173,7 @@ void check_constraints(const model::Case& result, const design::Design& design, 
     const auto refuse = [&](const model::Motion& motion, std::size_t component, const std::string& other) {
         throw design.values.refuse(
             "loads." + motion.face + ".displacement",
-            std::string{"over-constrained in "} + component_name(meshed.solid, component) + ": " + other +
+            std::string{"over-constrained in "} + component_name(meshed, component) + ": " + other +
                 (other.ends_with(core::quoted(motion.face)) ? ""
                                                             : ", which shares nodes with " + core::quoted(motion.face)),
             "keep one of the two");
@@ -131,30 +183,30 @@ void check_constraints(const model::Case& result, const design::Design& design, 
         for (std::size_t i = 0; i < 3; ++i) {
             if (!motion.displacement_m[i]) continue;
             for (const model::Support& support : result.supports)
-                if (support.fixed[i] && share_a_node(meshed.solid, motion.face, support.face))
+                if (support.fixed[i] && share_a_node(meshed, motion.face, support.face))
                     refuse(motion, i, "a support fixes " + core::quoted(support.face));
             for (std::size_t k = 0; k < m; ++k) {
                 const model::Motion& other = result.motions[k];
                 if (other.displacement_m[i] && *other.displacement_m[i] != *motion.displacement_m[i] &&
-                    share_a_node(meshed.solid, motion.face, other.face))
+                    share_a_node(meshed, motion.face, other.face))
                     refuse(motion, i, "another motion moves " + core::quoted(other.face));
             }
         }
     }
 }
 
-bool share_a_facet(const Solid& solid, const std::string& one, const std::string& other) {
-    const auto &facets = solid.mesh.facet_sets.at(one), &others = solid.mesh.facet_sets.at(other);
+bool share_a_facet(const Meshed& meshed, const std::string& one, const std::string& other) {
+    const auto &facets = meshed.mesh.facet_sets.at(one), &others = meshed.mesh.facet_sets.at(other);
     const std::set<mesh::Facet> all(facets.begin(), facets.end());
     return std::ranges::any_of(others, [&](const mesh::Facet& facet) { return all.contains(facet); });
 }
 
 /// Throws values.refuse(...) with the nearest node for a point outside the mesh.
-Vector point_of_part(const design::Design::OutputRequest& request, const Solid& solid, const design::Values& values) {
+Vector point_of_part(const design::Design::OutputRequest& request, const Meshed& meshed, const design::Values& values) {
     Vector point{};
     std::ranges::copy(request.point_m, point.begin());
-    if (mesh::locate(solid.mesh, point)) return point;
-    const Vector& nearest = solid.mesh.point(mesh::nearest_node(solid.mesh, point));
+    if (mesh::locate(meshed.mesh, point)) return point;
+    const Vector& nearest = meshed.mesh.point(mesh::nearest_node(meshed.mesh, point));
     std::string text;
     for (std::size_t i = 0; i < request.point_m.size(); ++i)
         text += (i > 0 ? ", " : "[") + core::rounded_text(1e3 * nearest[i], 6) + " mm";
@@ -167,7 +219,7 @@ void check_reaction(const model::Case& result, const design::Design::OutputReque
                     const Meshed& meshed, const design::Values& values) {
     const std::string location = "outputs." + request.name;
     const bool force = request.measure == model::Measure::force;
-    const model::FaceSymmetry symmetry = symmetry_of(meshed.solid, request.face);
+    const model::FaceSymmetry symmetry = symmetry_of(meshed, request.face);
     const Vector left =
         force ? model::uncancelled_force(symmetry, direction) : model::uncancelled_moment(symmetry, direction);
     if (left == Vector{})
@@ -176,7 +228,7 @@ void check_reaction(const model::Case& result, const design::Design::OutputReque
             std::string{force ? "the force" : "the moment"} + " is 0, because the mirror image of the face cancels it",
             "use another direction");
     const auto is_constrained = [&](std::size_t i) {
-        const auto at_face = [&](const std::string& face) { return share_a_facet(meshed.solid, request.face, face); };
+        const auto at_face = [&](const std::string& face) { return share_a_facet(meshed, request.face, face); };
         return std::ranges::any_of(result.supports, [&](const auto& s) { return s.fixed[i] && at_face(s.face); }) ||
                std::ranges::any_of(result.motions,
                                    [&](const auto& m) { return m.displacement_m[i] && at_face(m.face); });
@@ -193,54 +245,29 @@ void check_reaction(const model::Case& result, const design::Design::OutputReque
 
 }  // namespace
 
-void require_face(const mesh::Mesh& mesh, const std::string& face, const std::string& location,
-                  const design::FamilyKeys& keys) {
-    if (mesh.facet_sets.contains(face)) return;
+void require_face(const Meshed& meshed, const std::string& face, const std::string& location) {
+    const auto& sets = meshed.mesh.facet_sets;
+    const auto found = sets.find(face);
+    if (found != sets.end() && !found->second.empty()) return;
     std::vector<std::string> present;
-    for (const std::string& name : keys.faces)
-        if (mesh.facet_sets.contains(name)) present.push_back(name);
-    throw Error(ExitCode::bad_input, location, "this model has no face " + core::quoted(face),
+    for (const std::string& name : meshed.keys.faces)
+        if (sets.contains(name)) present.push_back(name);
+    throw Error(ExitCode::bad_input, location,
+                found == sets.end() ? "this model has no face " + core::quoted(face)
+                                    : "the face " + core::quoted(face) + " is empty",
                 "available faces: " + core::join(present));
 }
 
-std::array<double, 3> direction_of(const DirectionRequest& request, const Body& body, const Solid& solid) {
-    const std::string& along = request.along;
-    if (along == "axis") return body.axis;
-    if (along == "x") return {1, 0, 0};
-    if (along == "normal") {
-        constexpr double flat = 1 - 1e-9;  // rounding of the sums; a curved face falls far below
-        const auto n = mean_normal(solid, request.face);
-        if (std::hypot(n[0], n[1], n[2]) < flat)
-            throw Error(ExitCode::bad_input, request.key, "face " + core::quoted(request.face) + " is not flat",
-                        "use axis, x, y or z");
-        return n;
-    }
-    // The mean of y or z over a full turn has no meaning for a section, and r is not a fixed direction of a solid.
-    const bool revolved = solid.kinematics == model::Kinematics::axisymmetric;
-    const bool plane = solid.kinematics == model::Kinematics::plane_strain;
-    if (along == "r" && revolved) return {0, 1, 0};
-    if (along == "y" && !revolved) return {0, 1, 0};
-    if (along == "z" && !revolved && !plane) return {0, 0, 1};
-    throw Error(ExitCode::bad_input, request.key, core::quoted(along) + " is not a direction of this model",
-                revolved ? "use axis, x, r or normal"
-                : plane  ? "use axis, x, y or normal"
-                         : "use axis, x, y, z or normal");
-}
-
 void add_loads(model::Case& result, const design::Design& design, const Meshed& meshed) {
-    result.loads = design.loads;
-    for (const model::PressureLoad& load : result.loads)
-        for (const std::string& target : load.targets)
-            if (std::ranges::find(result.cavities, target, &model::Cavity::name) == result.cavities.end())
-                require_face(meshed.solid.mesh, target, "loads." + target, meshed.keys);
+    add_pressures(result, design, meshed);
     for (const auto& request : design.tractions) {
         const std::string location = "loads." + request.face;
-        require_face(meshed.solid.mesh, request.face, location, meshed.keys);
-        Vector traction = direction_of({location + ".along", request.face, request.along}, meshed.body, meshed.solid);
-        const double area_m2 = request.spread == design::Design::Spread::per_area
-                                   ? 0
-                                   : whole_area_m2(meshed.solid, {location + ".along", request.face, request.along},
-                                                   traction, design.values);
+        require_face(meshed, request.face, location);
+        Vector traction = direction_of({location + ".along", request.face, request.along}, meshed);
+        const double area_m2 =
+            request.spread == design::Design::Spread::per_area
+                ? 0
+                : whole_area_m2(meshed, {location + ".along", request.face, request.along}, traction, design.values);
         for (double& component : traction) component *= area_m2 > 0 ? request.size / area_m2 : request.size;
         result.tractions.push_back({request.face, traction, request.time_function, area_m2});
     }
@@ -253,19 +280,18 @@ void add_outputs(model::Case& result, const design::Design& design, const Meshed
     for (const auto& request : design.outputs) {
         const std::string location = "outputs." + request.name;
         if (!request.point_m.empty()) {
-            const Vector along = direction_of({location + ".along", "", request.along}, meshed.body, meshed.solid);
+            const Vector along = direction_of({location + ".along", "", request.along}, meshed);
             result.outputs.push_back(
-                {request.name, "", along, request.measure, "", point_of_part(request, meshed.solid, design.values)});
+                {request.name, "", along, request.measure, "", point_of_part(request, meshed, design.values)});
             continue;
         }
-        require_face(meshed.solid.mesh, request.face, location + ".face", meshed.keys);
+        require_face(meshed, request.face, location + ".face");
         const bool bend = request.measure == model::Measure::bend;
-        if (bend) require_face(meshed.solid.mesh, request.reference, location + ".reference", meshed.keys);
+        if (bend) require_face(meshed, request.reference, location + ".reference");
         const bool about_z = (model::is_angle(request.measure) || request.measure == model::Measure::moment) &&
-                             request.along == "z" && meshed.solid.kinematics == model::Kinematics::plane_strain;
+                             request.along == "z" && meshed.shape.kinematics == model::Kinematics::plane_strain;
         const Vector direction =
-            about_z ? Vector{0, 0, 1}
-                    : direction_of({location + ".along", request.face, request.along}, meshed.body, meshed.solid);
+            about_z ? Vector{0, 0, 1} : direction_of({location + ".along", request.face, request.along}, meshed);
         if (model::is_reaction(request.measure)) check_reaction(result, request, direction, meshed, design.values);
         result.outputs.push_back(
             {request.name, request.face, direction, request.measure, bend ? request.reference : "", {}});

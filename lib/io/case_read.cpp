@@ -2,14 +2,12 @@
 
 #include <algorithm>
 
-#include "core/hash.hpp"
 #include "core/text.hpp"
 #include "io/case_check.hpp"
 #include "io/columns.hpp"
 #include "io/image.hpp"
 #include "io/names.hpp"
 #include "io/provenance_io.hpp"
-#include "io/solve_parts.hpp"
 #include "io/subprocess_read.hpp"
 
 namespace soft::io {
@@ -58,13 +56,7 @@ std::vector<mesh::Facet> read_facets(const GroupReader& group, const std::string
     return facets;
 }
 
-void read_mesh(const GroupReader& group, model::Case& model) {
-    model.kinematics = group.word("kinematics", kinematics_names);
-    model.formulation = group.word("formulation", formulation_names);
-    model.model_fraction = group.number("model_fraction");
-    model.symmetry_planes = triple<bool>(group.flags("symmetry_planes", {3}), 0);
-    mesh::Mesh& mesh = model.mesh;
-    mesh.dimension = group.int_count("dimension", 2);
+void read_mesh(const GroupReader& group, mesh::Mesh& mesh) {
     mesh.region_names = group.texts("region_names");
     mesh.cell_regions = group.array<std::int32_t>("cell_regions", {mesh.cell_count()});
     const GroupReader facets = group.group("facets");
@@ -81,94 +73,100 @@ std::vector<model::Support> read_supports(const GroupReader& group) {
     return supports;
 }
 
+/// Row of the list of cavities, of an entry that belongs to a cavity.
+model::Cavity& cavity_at(std::vector<model::Cavity>& cavities, std::int64_t row, const GroupReader& group,
+                         std::size_t i) {
+    if (row < 0 || row >= extent(cavities.size()))
+        throw group.refuse("cavity[" + std::to_string(i) + "]", "there is no cavity " + std::to_string(row));
+    return cavities[static_cast<std::size_t>(row)];
+}
+
 std::vector<model::Cavity> read_cavities(const GroupReader& group) {
     std::vector<model::Cavity> cavities;
-    for (const std::string& name : ordered_names(group)) {
-        const GroupReader one = group.group(name);
-        model::Cavity& cavity = cavities.emplace_back();
-        cavity.name = name;
-        cavity.wall = one.text("wall");
-        cavity.inner_faces = one.texts("inner_faces");
-        const GroupReader openings = one.group("openings");
-        const auto faces = openings.texts("face");
-        const auto areas = openings.array<double>("area", {extent(faces.size())});
-        const auto directions = openings.array<double>("direction", {extent(faces.size()), 3});
-        for (std::size_t i = 0; i < faces.size(); ++i)
-            cavity.openings.push_back({faces[i], areas[i], triple<double>(directions, i)});
-    }
+    for (const std::string& name : group.texts("name")) cavities.push_back({name, {}, {}, {}});
+    const auto walls = group.texts("wall", extent(cavities.size()));
+    for (std::size_t i = 0; i < cavities.size(); ++i) cavities[i].wall = walls[i];
+    const GroupReader inner = group.group("inner_faces"), openings = group.group("openings");
+    const auto inner_faces = inner.texts("face");
+    const auto inner_rows = inner.array<std::int64_t>("cavity", {extent(inner_faces.size())});
+    for (std::size_t i = 0; i < inner_faces.size(); ++i)
+        cavity_at(cavities, inner_rows[i], inner, i).inner_faces.push_back(inner_faces[i]);
+    const auto faces = openings.texts("face");
+    const auto rows = openings.array<std::int64_t>("cavity", {extent(faces.size())});
+    const auto areas = openings.array<double>("area", {extent(faces.size())});
+    const auto directions = openings.array<double>("direction", {extent(faces.size()), 3});
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        cavity_at(cavities, rows[i], openings, i)
+            .openings.push_back({faces[i], areas[i], triple<double>(directions, i)});
     return cavities;
 }
 
-std::vector<model::Output> read_outputs(const GroupReader& group) {
-    const auto names = group.texts("name");
-    const auto faces = group.texts("face", extent(names.size()));
-    const auto directions = group.array<double>("direction", {extent(names.size()), 3});
-    const auto measures = read_words(group, "measure", measure_names, extent(names.size()));
-    const auto references = group.texts("reference", extent(names.size()));
-    const auto is_point = group.flags("is_point", {extent(names.size())});
-    const auto points = group.array<double>("point", {extent(names.size()), 3});
-    std::vector<model::Output> outputs;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        outputs.push_back({names[i], faces[i], triple<double>(directions, i), measures[i], references[i],
-                           is_point[i] == 1 ? std::optional{triple<double>(points, i)} : std::nullopt});
-    return outputs;
+std::map<std::string, model::Shape::Winding> read_fibers(const GroupReader& group) {
+    const auto regions = group.texts("region");
+    const Shape rows{extent(regions.size())};
+    const auto angles = group.array<double>("angle", rows), k1 = group.array<double>("k1", rows),
+               k2 = group.array<double>("k2", rows);
+    const auto families = group.array<std::int64_t>("families", rows);
+    const auto frames = read_words(group, "frame", fiber_frame_names, rows[0]);
+    std::map<std::string, model::Shape::Winding> windings;
+    for (std::size_t i = 0; i < regions.size(); ++i)
+        windings[regions[i]] = {{angles[i], k1[i], k2[i], group.to_int("families", families[i], 1)}, frames[i]};
+    return windings;
+}
+
+model::Shape read_shape(const GroupReader& group) {
+    model::Shape shape;
+    shape.kinematics = group.word("kinematics", kinematics_names);
+    shape.model_fraction = group.number("model_fraction");
+    shape.symmetry_planes = triple<bool>(group.flags("symmetry_planes", {3}), 0);
+    shape.axis = triple<double>(group.array<double>("axis", {3}), 0);
+    shape.supports = read_supports(group.group("supports"));
+    shape.cavities = read_cavities(group.group("cavities"));
+    const GroupReader materials = group.group("materials");
+    const auto regions = materials.texts("region");
+    const auto names = materials.texts("material", extent(regions.size()));
+    for (std::size_t i = 0; i < regions.size(); ++i) shape.region_materials[regions[i]] = names[i];
+    shape.region_fibers = read_fibers(group.group("fibers"));
+    return shape;
+}
+
+StoredCase read_bare_case(std::span<const std::byte> hdf5, const Origin& origin) {
+    const FileHandle file = open_image(hdf5, origin);
+    return read_stored_case(GroupReader{file.get(), origin});
 }
 
 }  // namespace
 
-std::vector<std::string> ordered_names(const GroupReader& group) {
-    const std::vector<std::string> names = group.names();
-    std::vector<std::string> ordered(names.size());
-    for (const std::string& name : names) {
-        const std::int64_t order = group.group(name).count("order", 0, extent(names.size()) - 1);
-        auto& slot = ordered[static_cast<std::size_t>(order)];
-        if (!slot.empty()) throw group.refuse(name + "/order", "is the same as the order of " + core::quoted(slot));
-        slot = name;
-    }
-    return ordered;
-}
-
 DesignText read_design_text(const GroupReader& group) {
-    DesignText design{group.has("family") ? group.text("family") : std::string{}, group.text("effective_yaml"),
-                      group.texts("overrides")};
-    if (core::sha256_hex(design.effective_yaml) != group.text("sha256"))
-        throw group.refuse("effective_yaml", "does not match its SHA-256");
-    return design;
+    return {group.text("effective_yaml"), group.texts("overrides")};
 }
 
-CaseFile read_case_groups(const GroupReader& root) {
-    CaseFile file;
-    const GroupReader design = root.group("design");
-    file.design = read_design_text(design);
-    model::Case& model = file.model;
-    model.name = design.text("name");
-    read_vtkhdf(root.group("VTKHDF"), model.mesh);
-    read_mesh(root.group("mesh"), model);
-    model.supports = read_supports(root.group("supports"));
-    model.cavities = read_cavities(root.group("loads").group("cavities"));
-    read_solve_parts(root, model);
-    model.outputs = read_outputs(root.group("outputs"));
-    file.provenance = read_provenance(root);
-    check_case(model, root.origin().source, ExitCode::bad_input);
-    return file;
+std::string design_location(const Origin& origin, std::string_view group) {
+    return origin.source + ":/" + std::string{group} + "/effective_yaml";
 }
 
-CaseFile read_bare_case(std::span<const std::byte> hdf5, const Origin& origin) {
-    const FileHandle file = open_image(hdf5, origin);
-    return read_case_groups(GroupReader{file.get(), origin});
+StoredCase read_stored_case(const GroupReader& root) {
+    StoredCase stored;
+    stored.design = read_design_text(root.group("design"));
+    stored.shape = read_shape(root.group("shape"));
+    stored.mesh.dimension = model::dimension_of(stored.shape.kinematics);
+    read_vtkhdf(root.group("VTKHDF"), stored.mesh);
+    read_mesh(root.group("mesh"), stored.mesh);
+    stored.provenance = read_provenance(root);
+    check_case(stored.mesh, stored.shape, root.origin().source, ExitCode::bad_input);
+    return stored;
 }
 
-CaseFile read_case_file(std::span<const std::byte> image, std::string_view source) {
+CaseFile read_case_file(std::span<const std::byte> image, std::string_view source, const model::CaseBuilder& build) {
     const ImageParts parts = split_image(image, source);
     const QuietErrors quiet;
     const Origin origin{std::string{source}, parts.hdf5.size()};
     if (!parts.sealed)
         read_in_subprocess(origin, [&](const Origin& noted) { static_cast<void>(read_bare_case(parts.hdf5, noted)); });
-    return read_bare_case(parts.hdf5, origin);
-}
-
-model::Case read_case(std::span<const std::byte> image, std::string_view source) {
-    return read_case_file(image, source).model;
+    StoredCase stored = read_bare_case(parts.hdf5, origin);
+    return {
+        build(std::move(stored.mesh), stored.shape, stored.design.effective_yaml, design_location(origin, "design")),
+        std::move(stored.design), std::move(stored.provenance)};
 }
 
 }  // namespace soft::io

@@ -5,9 +5,19 @@
 
 namespace soft::io {
 
-[[nodiscard]] CaseFile read_case_groups(const GroupReader& root);
+/// The contents of the file, checked except for the design.
+struct StoredCase {
+    mesh::Mesh mesh;
+    model::Shape shape;
+    DesignText design;
+    std::vector<Provenance> provenance;
+};
+[[nodiscard]] StoredCase read_stored_case(const GroupReader& root);
 
-/// Effective YAML, its hash (checked) and overrides, and `family` if the group has one.
+/// Effective YAML and overrides.
 [[nodiscard]] DesignText read_design_text(const GroupReader& group);
+
+/// Location of a design of the file, for errors in it: "case.h5:/design/effective_yaml".
+[[nodiscard]] std::string design_location(const Origin& origin, std::string_view group);
 
 }  // namespace soft::io

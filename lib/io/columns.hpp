@@ -15,7 +15,7 @@ namespace soft::io {
 /// One column of a list of structs.
 template <class List, class Pick>
 [[nodiscard]] auto column(const List& list, Pick pick) {
-    std::vector<std::decay_t<decltype(pick(list.front()))>> values;
+    std::vector<std::decay_t<decltype(pick(*list.begin()))>> values;
     values.reserve(list.size());
     for (const auto& entry : list) values.push_back(pick(entry));
     return values;
@@ -43,9 +43,6 @@ void write_list(hid_t group, const Label& label, const std::vector<T>& values, s
 }
 
 [[nodiscard]] inline std::int64_t extent(std::size_t size) { return static_cast<std::int64_t>(size); }
-
-/// Members of a group in the order of their `order` datasets, which must be 0, 1, 2 ...
-[[nodiscard]] std::vector<std::string> ordered_names(const GroupReader& group);
 
 /// Reads a list of enumerators given by their names in a table.
 template <class Enum, std::size_t size>

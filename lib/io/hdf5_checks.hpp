@@ -12,6 +12,9 @@
 
 namespace soft::io {
 
+/// Version of the file format, which README.md describes. Files of other versions are rejected.
+inline constexpr std::int64_t format_version = 2;
+
 /// Origin of the data, for messages and size limits.
 struct Origin {
     std::string source;  ///< "case.h5"

@@ -73,9 +73,15 @@ GroupReader::GroupReader(hid_t file, const Origin& origin)
         throw Error(ExitCode::bad_input, origin.source, "an HDF5 file, but not a soft-actuator file",
                     "expected a case from mesh-gen or a result from solve");
     const std::int64_t version = integer_attribute("format_version", 1)[0];
-    if (version != 1)
+    if (version < format_version)
         throw Error(ExitCode::bad_input, origin.source,
-                    "format version " + std::to_string(version) + " is unknown (this program reads version 1)",
+                    "an older release wrote it (format " + std::to_string(version) + ", this program reads " +
+                        std::to_string(format_version) + ")",
+                    "generate the case again with mesh-gen, and solve it again");
+    if (version > format_version)
+        throw Error(ExitCode::bad_input, origin.source,
+                    "a newer release wrote it (format " + std::to_string(version) + ", this program reads " +
+                        std::to_string(format_version) + ")",
                     "use the same release of mesh-gen, solve and postprocess");
 }
 
@@ -174,20 +180,10 @@ template std::vector<std::uint8_t> GroupReader::array(const std::string&, const 
 
 double GroupReader::number(const std::string& name) const { return array<double>(name, {})[0]; }
 
-std::int64_t GroupReader::count(const std::string& name, std::int64_t min, std::int64_t max) const {
-    const std::int64_t value = array<std::int64_t>(name, {})[0];
-    if (value < min || value > max) throw refuse(name, std::to_string(value) + " is out of range");
-    return value;
-}
-
 int GroupReader::to_int(const std::string& item, std::int64_t value, int min) const {
     if (value < min || value > std::numeric_limits<int>::max())
         throw refuse(item, std::to_string(value) + " is out of range");
     return static_cast<int>(value);
-}
-
-int GroupReader::int_count(const std::string& name, int min) const {
-    return to_int(name, array<std::int64_t>(name, {})[0], min);
 }
 
 std::vector<std::uint8_t> GroupReader::flags(const std::string& name, const Shape& shape) const {

@@ -33,9 +33,6 @@ public:
     template <class T>
     [[nodiscard]] std::vector<T> array(const std::string& name, const Shape& shape) const;
     [[nodiscard]] double number(const std::string& name) const;
-    /// Throws if the value is outside [min, max], or not representable as an int.
-    [[nodiscard]] std::int64_t count(const std::string& name, std::int64_t min, std::int64_t max) const;
-    [[nodiscard]] int int_count(const std::string& name, int min) const;
     /// Converts a value that was read from `item` to int; throws if it is below `min` or too large.
     [[nodiscard]] int to_int(const std::string& item, std::int64_t value, int min = 0) const;
     [[nodiscard]] std::string text(const std::string& name) const;
@@ -58,7 +55,7 @@ public:
     [[nodiscard]] std::string text_attribute(const char* name) const;
     [[nodiscard]] std::vector<std::int64_t> integer_attribute(const char* name, std::size_t expected) const;
 
-    /// Error for checks of the caller: its location is "case.h5:/control/until[2]" if `item` is "until[2]".
+    /// Error for checks of the caller: its location is "case.h5:/fields/steps[2]" if `item` is "steps[2]".
     [[nodiscard]] Error refuse(std::string_view item, std::string_view problem) const;
     [[nodiscard]] const Origin& origin() const noexcept { return *origin_; }
     [[nodiscard]] hid_t get() const noexcept { return group_.get(); }

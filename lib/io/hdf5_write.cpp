@@ -172,19 +172,12 @@ template void write_array(hid_t, const Label&, std::span<const std::int64_t>, st
 template void write_array(hid_t, const Label&, std::span<const std::int32_t>, std::vector<hsize_t>);
 template void write_array(hid_t, const Label&, std::span<const std::uint8_t>, std::vector<hsize_t>);
 
-namespace {
-
-template <class T>
-void write_scalar(hid_t parent, const Label& label, T value) {
+void write_number(hid_t parent, const Label& label, double value) {
     const PropertiesHandle properties = without_times(H5P_DATASET_CREATE);
-    const DatasetHandle dataset = create_dataset(parent, label, file_type<T>(), scalar_space().get(), properties.get());
-    check(H5Dwrite(dataset.get(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, &value), "H5Dwrite");
+    const DatasetHandle dataset =
+        create_dataset(parent, label, file_type<double>(), scalar_space().get(), properties.get());
+    check(H5Dwrite(dataset.get(), memory_type<double>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, &value), "H5Dwrite");
 }
-
-}  // namespace
-
-void write_number(hid_t parent, const Label& label, double value) { write_scalar(parent, label, value); }
-void write_count(hid_t parent, const Label& label, std::int64_t value) { write_scalar(parent, label, value); }
 
 void write_text(hid_t parent, const Label& label, std::string_view text) {
     const TypeHandle type = text_type(text.size(), H5T_CSET_UTF8);

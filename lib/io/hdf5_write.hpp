@@ -53,7 +53,6 @@ hid_t memory_type<std::uint8_t>();
 template <class T>
 void write_array(hid_t parent, const Label& label, std::span<const T> values, std::vector<hsize_t> shape = {});
 void write_number(hid_t parent, const Label& label, double value);
-void write_count(hid_t parent, const Label& label, std::int64_t value);
 void write_text(hid_t parent, const Label& label, std::string_view text);
 void write_texts(hid_t parent, const Label& label, std::span<const std::string> texts);
 

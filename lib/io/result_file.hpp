@@ -57,7 +57,7 @@ struct SolveInput {
 /// until finish(); with none they contain no fields.
 class ResultWriter {
 public:
-    /// In memory. `given`: a case. Throws Error (bad_input) as read_case does, and if the case already has a path.
+    /// In memory. `given`: a case. Throws Error (bad_input) as read_case_file does, and if the case already has a path.
     ResultWriter(const SolveInput& given, const Provenance& provenance, const ResultOptions& options);
     /// On disk. Also throws Error (cannot_create) if the file cannot be created or another process is writing it.
     ResultWriter(const std::filesystem::path& file, const SolveInput& given, const Provenance& provenance,
@@ -141,11 +141,13 @@ struct InterruptedSolve {
 };
 
 /// Throws Error (bad_input) for a case, a finished result or a damaged file.
-[[nodiscard]] InterruptedSolve read_interrupted(std::span<const std::byte> image, std::string_view source);
+[[nodiscard]] InterruptedSolve read_interrupted(std::span<const std::byte> image, std::string_view source,
+                                                const model::CaseBuilder& build);
 
-/// Reads a finished result, or the file of a running or killed `solve -o`. Checks the file as read_case does.
+/// Reads a finished result, or the file of a running or killed `solve -o`. Checks the file as read_case_file does.
 /// The result keeps the image to read fields later. Throws Error (bad_input) for a case without solution (remedy "run solve on it")
 /// and for a path without rows ("run solve again").
-[[nodiscard]] Result read_result(std::vector<std::byte> image, std::string_view source);
+[[nodiscard]] Result read_result(std::vector<std::byte> image, std::string_view source,
+                                 const model::CaseBuilder& build);
 
 }  // namespace soft::io

@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <charconv>
 
-#include "core/hash.hpp"
 #include "core/text.hpp"
-#include "io/case_check.hpp"
 #include "io/hdf5_read.hpp"
 #include "io/hdf5_write.hpp"
 #include "io/path_columns.hpp"
 #include "io/path_table.hpp"
 #include "io/provenance_io.hpp"
-#include "io/solve_parts.hpp"
 
 namespace soft::io {
 namespace {
@@ -32,8 +29,6 @@ model::Case without_mesh(const model::Case& input) {
             input.solver,         input.dynamics};
 }
 
-constexpr const char* changed_design_group = "solve_design";
-
 /// Throws Error (bad_input) if the file contains a result or parts of one.
 void require_no_solution(hid_t root, const std::string& tool, std::string_view source) {
     for (const std::string& name : {std::string{"path"}, std::string{"fields"}, std::string{"modes"},
@@ -43,14 +38,11 @@ void require_no_solution(hid_t root, const std::string& tool, std::string_view s
                         "give solve the case from mesh-gen");
 }
 
-void write_changed_design(hid_t root, const DesignText& design, const model::Case& solved) {
+void write_changed_design(hid_t root, const DesignText& design) {
     const GroupHandle group =
         create_group(root, changed_design_group, "the design with the overrides of solve applied");
     write_text(group.get(), {"effective_yaml", "1", "the design that was solved"}, design.effective_yaml);
-    write_text(group.get(), {"sha256", "1", "SHA-256 of effective_yaml, hexadecimal"},
-               core::sha256_hex(design.effective_yaml));
     write_texts(group.get(), {"overrides", "1", "key.path=value, as given to --set"}, design.overrides);
-    write_solve_parts(group.get(), solved);
 }
 
 }  // namespace
@@ -99,12 +91,11 @@ ResultImage ResultImage::begin(const SolveInput& given, const Provenance& proven
     ResultImage image = open(given);
     const GroupHandle root = open_group(image.file_.get(), "/");
     require_no_solution(root.get(), provenance.tool, given.source);
-    if (options.changed_design) check_case(given.solved, "<case with --set>", ExitCode::internal);
     image.policy_ = options.fields;
     const GroupHandle path = create_group(root.get(), "path", "the equilibrium path, one row per step");
     const GroupHandle fields = create_group(root.get(), "fields", "nodal fields of the stored steps");
     write_attribute(fields.get(), "policy", to_text(options.fields));
-    if (options.changed_design) write_changed_design(root.get(), *options.changed_design, given.solved);
+    if (options.changed_design) write_changed_design(root.get(), *options.changed_design);
     write_provenance(open_group(root.get(), "provenance").get(), provenance);
     // HDF5 allocates new objects in free gaps of the file, which it forgets when the file is reopened. Reopening here makes the bytes
     // of an uninterrupted path equal to those of a resumed one.

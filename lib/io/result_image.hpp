@@ -13,6 +13,9 @@
 
 namespace soft::io {
 
+/// Group of the design that `solve --set` changed.
+inline constexpr const char* changed_design_group = "solve_design";
+
 class ResultImage {
 public:
     // In this class, the image of `given` is an HDF5 file without seal and records.

@@ -1,14 +1,12 @@
 #include <algorithm>
 #include <limits>
 
-#include "io/case_check.hpp"
 #include "io/case_read.hpp"
 #include "io/image.hpp"
 #include "io/journal.hpp"
 #include "io/path_table.hpp"
 #include "io/result_file.hpp"
 #include "io/result_image.hpp"
-#include "io/solve_parts.hpp"
 #include "io/subprocess_read.hpp"
 
 namespace soft::io {
@@ -74,20 +72,20 @@ struct Solved {
     std::optional<DesignText> changed_design;
 };
 
-Solved read_solved(const GroupReader& root) {
-    Solved solved{read_case_groups(root), std::nullopt};
-    if (!root.has("solve_design")) return solved;
-    const GroupReader changed = root.group("solve_design");
-    solved.changed_design = read_design_text(changed);
-    read_solve_parts(changed, solved.file.model);
-    check_case(solved.file.model, root.origin().source + ":/solve_design", ExitCode::bad_input);
-    return solved;
+Solved read_solved(const GroupReader& root, const model::CaseBuilder& build) {
+    StoredCase stored = read_stored_case(root);
+    std::optional<DesignText> changed;
+    if (root.has(changed_design_group)) changed = read_design_text(root.group(changed_design_group));
+    const DesignText& design = changed ? *changed : stored.design;
+    model::Case model = build(std::move(stored.mesh), stored.shape, design.effective_yaml,
+                              design_location(root.origin(), changed ? changed_design_group : "design"));
+    return {{std::move(model), std::move(stored.design), std::move(stored.provenance)}, std::move(changed)};
 }
 
 /// The same for an HDF5 file without seal and records.
-Solved read_solved(std::span<const std::byte> hdf5, const Origin& origin) {
+Solved read_solved(std::span<const std::byte> hdf5, const Origin& origin, const model::CaseBuilder& build) {
     const FileHandle file = open_image(hdf5, origin);
-    return read_solved(GroupReader{file.get(), origin});
+    return read_solved(GroupReader{file.get(), origin}, build);
 }
 
 FieldsPolicy read_policy(const GroupReader& fields) {
@@ -129,10 +127,11 @@ Origin origin_of(const ImageParts& parts, std::string_view source) {
 }
 
 /// `parts` are those of the image, or of another image with the same HDF5 part.
-Result read_bare_result(std::vector<std::byte> image, const ImageParts& parts, const Origin& origin) {
+Result read_bare_result(std::vector<std::byte> image, const ImageParts& parts, const Origin& origin,
+                        const model::CaseBuilder& build) {
     std::size_t hdf5_size = parts.hdf5.size();
     if (has_no_rows(parts.hdf5, origin)) {
-        image = replay_journal(parts, origin.source, read_solved(parts.hdf5, origin).file.model);
+        image = replay_journal(parts, origin.source, read_solved(parts.hdf5, origin, build).file.model);
         hdf5_size = image.size();
     }
     auto state = std::make_unique<FieldReader::State>();
@@ -141,7 +140,7 @@ Result read_bare_result(std::vector<std::byte> image, const ImageParts& parts, c
     state->origin.image_bytes = hdf5_size;
     state->file = open_image(std::span{state->image}.first(hdf5_size), state->origin);
     const GroupReader root{state->file.get(), state->origin};
-    Solved solved = read_solved(root);
+    Solved solved = read_solved(root, build);
     CaseFile& file = solved.file;
     const std::size_t points = file.model.mesh.points.size();
     const GroupReader path = root.group("path");
@@ -165,8 +164,8 @@ Result read_bare_result(std::vector<std::byte> image, const ImageParts& parts, c
 
 /// Reads everything in the image, so that later reads cannot crash. Invalid values in fields are ignored here; FieldReader reports
 /// them.
-void read_all(const ImageParts& parts, const Origin& origin) {
-    const Result result = read_bare_result({parts.hdf5.begin(), parts.hdf5.end()}, parts, origin);
+void read_all(const ImageParts& parts, const Origin& origin, const model::CaseBuilder& build) {
+    const Result result = read_bare_result({parts.hdf5.begin(), parts.hdf5.end()}, parts, origin, build);
     for (const std::int64_t step : result.fields.steps()) try {
             static_cast<void>(result.fields.read(step));
         } catch (const Error&) {}
@@ -174,14 +173,15 @@ void read_all(const ImageParts& parts, const Origin& origin) {
 
 }  // namespace
 
-InterruptedSolve read_interrupted(std::span<const std::byte> image, std::string_view source) {
+InterruptedSolve read_interrupted(std::span<const std::byte> image, std::string_view source,
+                                  const model::CaseBuilder& build) {
     const QuietErrors quiet;
     const ImageParts parts = split_image(image, source);
     const Origin origin = origin_of(parts, source);
-    if (!parts.sealed) read_in_subprocess(origin, [&](const Origin& noted) { read_all(parts, noted); });
+    if (!parts.sealed) read_in_subprocess(origin, [&](const Origin& noted) { read_all(parts, noted, build); });
     if (!has_no_rows(parts.hdf5, origin))
         throw Error(ExitCode::bad_input, source, "is finished and cannot be resumed", "read it with postprocess");
-    Solved solved = read_solved(parts.hdf5, origin);
+    Solved solved = read_solved(parts.hdf5, origin, build);
     InterruptedSolve interrupted{std::move(solved.file), std::move(solved.changed_design), {}, std::nullopt};
     if (!parts.checkpoint) return interrupted;
     interrupted.checkpoint = decode_checkpoint(*parts.checkpoint, source);
@@ -195,12 +195,12 @@ InterruptedSolve read_interrupted(std::span<const std::byte> image, std::string_
     return interrupted;
 }
 
-Result read_result(std::vector<std::byte> image, std::string_view source) {
+Result read_result(std::vector<std::byte> image, std::string_view source, const model::CaseBuilder& build) {
     const QuietErrors quiet;
     const ImageParts parts = split_image(image, source);
     const Origin origin = origin_of(parts, source);
-    if (!parts.sealed) read_in_subprocess(origin, [&](const Origin& noted) { read_all(parts, noted); });
-    Result result = read_bare_result(std::move(image), parts, origin);
+    if (!parts.sealed) read_in_subprocess(origin, [&](const Origin& noted) { read_all(parts, noted, build); });
+    Result result = read_bare_result(std::move(image), parts, origin, build);
     if (result.steps.empty())
         throw Error(ExitCode::bad_input, std::string{source} + ":/path", "the path has no row", "run solve again");
     return result;

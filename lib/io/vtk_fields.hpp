@@ -11,7 +11,7 @@
 namespace soft::io {
 
 /// A copy of `image` (case or result) with point and cell arrays added to its mesh. Everything else is unchanged, including the
-/// steps of an unfinished path. Arrays of an earlier copy are replaced. Throws Error(bad_input) as read_case does, and
+/// steps of an unfinished path. Arrays of an earlier copy are replaced. Throws Error(bad_input) as read_case_file does, and
 /// Error(internal) for arrays whose size does not match the mesh.
 [[nodiscard]] std::vector<std::byte> with_vtk_fields(std::span<const std::byte> image, std::string_view source,
                                                      std::span<const model::NamedArray> at_points,

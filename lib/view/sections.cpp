@@ -142,9 +142,8 @@ std::string design_section(const Content& content) {
     std::string html = "<h2>Design</h2>\n";
     if (!design.overrides.empty())
         html += paragraph("Changed on the command line: " + core::join(design.overrides) + ".");
-    return html + "<details open><summary>" + escaped(design.family) +
-           ", with defaults and overrides applied</summary>\n<pre>" + escaped(design.effective_yaml) +
-           "</pre></details>\n";
+    return html + "<details open><summary>With defaults and overrides applied</summary>\n<pre>" +
+           escaped(design.effective_yaml) + "</pre></details>\n";
 }
 
 std::string provenance_section(const Content& content) {

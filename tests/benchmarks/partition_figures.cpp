@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "fem/partition.hpp"
+#include "geometry/build.hpp"
 #include "io/case_file.hpp"
 #include "linalg/session.hpp"
 
@@ -72,7 +73,7 @@ void print_row(const mesh::Mesh& mesh, int parts) {
 int main(int argc, char** argv) try {
     if (argc < 3) throw Error(ExitCode::usage, "partition_figures", "arguments are missing", "give CASE PARTS...");
     const linalg::Session session({});
-    const auto input = io::read_case(core::read_file(argv[1]), argv[1]);
+    const auto input = io::read_case_file(core::read_file(argv[1]), argv[1], geometry::rebuild_case).model;
     std::printf(
         "parts,cells,cells_max,own_unknowns,own_max,ghost_unknowns,ghost_max,ghosts_per_own,neighbours,neighbours_max\n");
     for (int i = 2; i < argc; ++i) print_row(input.mesh, std::atoi(argv[i]));

@@ -13,6 +13,7 @@
 #include "core/files.hpp"
 #include "core/hash.hpp"
 #include "draw.hpp"
+#include "geometry/build.hpp"
 #include "outcomes.hpp"
 
 namespace {
@@ -48,7 +49,7 @@ int outcomes(const fs::path& folder, const fs::path& plan) {
 }
 
 int confirm(const fs::path& file, const std::string& claimed) {
-    io::Result result = io::read_result(core::read_file(file), file.string());
+    io::Result result = io::read_result(core::read_file(file), file.string(), geometry::rebuild_case);
     if (!claimed.empty()) {
         using enum model::StopReason;
         const auto reasons = {done, limit_point, diverged, inverted_element, self_contact, step_limit};

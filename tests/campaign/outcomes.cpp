@@ -8,6 +8,7 @@
 #include "confirm.hpp"
 #include "core/files.hpp"
 #include "core/text.hpp"
+#include "geometry/build.hpp"
 #include "sweep/outcome.hpp"
 
 namespace soft::campaign {
@@ -103,7 +104,8 @@ Outcome outcome_of(const std::filesystem::path& folder, const PlannedDesign& des
                                                                                                   : "failed";
         return outcome;
     }
-    const io::Result result = io::read_result(core::read_file(own / "result.h5"), (own / "result.h5").string());
+    const io::Result result =
+        io::read_result(core::read_file(own / "result.h5"), (own / "result.h5").string(), geometry::rebuild_case);
     outcome.rows = static_cast<int>(result.steps.size());
     if (!result.steps.empty()) outcome.stretch = result.steps.back().stretch_p99;
     if (result.end) outcome.reason = model::name(result.end->reason);

@@ -108,8 +108,7 @@ TEST(TimeFunctions, ApplyToTractionsAndGravity) {
              "gravity: {acceleration: 9.81 m/s^2, along: -z, time_function: {kind: sine, frequency: 2 Hz}}}\n");
     EXPECT_EQ(design.tractions.at(0).time_function.kind, TimeFunctionKind::step);
     EXPECT_EQ(design.body_forces.at(0).time_function.frequency_Hz, 2.0);
-    const SolveChanges part =
-        apply_overrides(design.effective_yaml, std::vector<Override>{{"loads.end.time_function", "{rise: 10 ms}"}});
+    const Design part = read_built(design.effective_yaml, {{"loads.end.time_function", "{rise: 10 ms}"}});
     EXPECT_EQ(part.tractions.at(0).time_function.kind, TimeFunctionKind::ramp);
     EXPECT_EQ(part.tractions.at(0).time_function.time_s, 0.01);
     EXPECT_EQ(part.body_forces.at(0).time_function.kind, TimeFunctionKind::sine);
@@ -211,19 +210,17 @@ TEST(DynamicDesign, SolveCanMakeAStaticCaseDynamic) {
                                            {"dynamics.step", "1 ms"},
                                            {"loads.cavity.time_function", "{kind: step}"},
                                            {"loads.cavity.line.resistance", "1e8 Pa.s/m^3"}};
-    const SolveChanges part = apply_overrides(effective, changes);
+    const Design part = read_built(effective, changes);
     EXPECT_EQ(part.dynamics.value().duration_s, 0.2);
     EXPECT_EQ(part.dynamics->step_s, 1e-3);
     EXPECT_EQ(part.loads.at(0).time_function.kind, TimeFunctionKind::step);
     EXPECT_EQ(part.loads.at(0).line.value().resistance_Pa_s_m3, 1e8);
     EXPECT_EQ(part.effective_yaml, read(effective, changes).effective_yaml);
-    const SolveChanges still =
-        apply_overrides(part.effective_yaml,
-                        std::vector<Override>{{"dynamics", "{duration: none}"}, {"loads.cavity", "{pressure: 2 kPa}"}});
+    const Design still =
+        read_built(part.effective_yaml, {{"dynamics", "{duration: none}"}, {"loads.cavity", "{pressure: 2 kPa}"}});
     EXPECT_FALSE(still.dynamics.has_value());
     try {  // the case has mixed cells, whose pressure unknowns an explicit integrator cannot handle
-        static_cast<void>(
-            apply_overrides(effective, std::vector<Override>{{"dynamics", "{duration: 1 s, integrator: heun}"}}));
+        static_cast<void>(read_built(effective, {{"dynamics", "{duration: 1 s, integrator: heun}"}}));
         ADD_FAILURE();
     } catch (const Error& error) {
         EXPECT_TRUE(contains(error.what(), "an explicit integrator")) << error.what();

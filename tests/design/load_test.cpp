@@ -142,7 +142,7 @@ protected:
     std::string refusal_of(const std::string& path, const std::string& value) {
         const std::vector<Override> change = {{path, value}};
         try {
-            static_cast<void>(apply_overrides(effective_, change));
+            static_cast<void>(read_built(effective_, change, sheets()));
         } catch (const Error& error) {
             return error.what();
         }
@@ -150,32 +150,24 @@ protected:
     }
 };
 
-TEST_F(ApplyToTractions, ScalesTheTractionsOfTheCase) {
-    const std::vector<Override> changes = {{"loads.end.traction", "-25 kPa"}};
-    const SolveChanges part = apply_overrides(effective_, changes);
+TEST_F(ApplyToTractions, ChangesTheTractionsOfTheCase) {
+    const std::vector<Override> changes = {{"loads.end.traction", "-25 kPa"}, {"loads.end.along", "x"}};
+    const Design part = read_built(effective_, changes, sheets());
     ASSERT_EQ(part.tractions.size(), 2u);
-    EXPECT_EQ(part.tractions[0].index, 0u);
-    EXPECT_EQ(part.tractions[0].factor, -0.5);
-    EXPECT_EQ(part.tractions[1].index, 1u);
-    EXPECT_EQ(part.tractions[1].factor, 1.0);
+    EXPECT_EQ(part.tractions[0].size, -25e3);
+    EXPECT_EQ(part.tractions[0].along, "x");
+    EXPECT_EQ(part.tractions[1].size, 1e3);
     EXPECT_EQ(part.loads.size(), 1u);
     EXPECT_EQ(part.effective_yaml, read_design(effective_, "e", sheets(), changes).effective_yaml);
 }
 
-TEST_F(ApplyToTractions, RemovesATractionThatBecomesAPressure) {
-    const std::vector<Override> changes = {{"loads.end", "{pressure: 3 kPa}"}};
-    const SolveChanges part = apply_overrides(effective_, changes);
-    ASSERT_EQ(part.tractions.size(), 1u);
-    EXPECT_EQ(part.tractions[0].index, 1u);
-    EXPECT_EQ(part.loads.size(), 2u);
-}
-
-TEST_F(ApplyToTractions, RejectsNewTractionsAndNewDirections) {
-    EXPECT_EQ(refusal_of("loads.end.along", "x"),
-              "--set loads.end.along: the direction is built into the case; give the same --set to mesh-gen");
-    EXPECT_EQ(
-        refusal_of("loads.top", "{traction: 3 kPa, along: x}"),
-        "--set loads.top: loads.top.traction: the case has no traction on this face; give the same --set to mesh-gen");
+TEST_F(ApplyToTractions, ReplacesATractionByAPressureAndAPressureByATraction) {
+    const Design part = read_built(
+        effective_, {{"loads.end", "{pressure: 3 kPa}"}, {"loads.top", "{traction: 3 kPa, along: x}"}}, sheets());
+    ASSERT_EQ(part.tractions.size(), 2u);
+    EXPECT_EQ(part.tractions[0].face, "top");
+    ASSERT_EQ(part.loads.size(), 1u);
+    EXPECT_EQ(part.loads[0].name, "end");
 }
 
 TEST(Motion, PrescribesADisplacementComponentOfAFace) {
@@ -234,21 +226,21 @@ TEST(Overrides, FindALoadUnderEveryAliasOfItsFace) {
             const Design changed = read_sheet(design, changes);
             ASSERT_EQ(changed.motions.size(), 1u);
             EXPECT_EQ(changed.motions[0].displacement_m, 5e-3);
-            const SolveChanges part = apply_overrides(read_sheet(design).effective_yaml, changes);
+            const Design part = read_built(read_sheet(design).effective_yaml, changes, sheets());
             ASSERT_EQ(part.motions.size(), 1u);
-            EXPECT_EQ(part.motions[0].factor, 0.5);
+            EXPECT_EQ(part.motions[0].displacement_m, 5e-3);
             EXPECT_EQ(part.effective_yaml, changed.effective_yaml);
         }
 }
 
-TEST_F(ApplyToTractions, RejectsFacesThatTheCaseDoesNotLoad) {
+TEST_F(ApplyToTractions, RejectsFacesThatTheFamilyDoesNotHave) {
     EXPECT_TRUE(contains(refusal_of("loads.tip.traction", "5 kPa"), "accepted"));  // an alias of end
     EXPECT_TRUE(contains(refusal_of("loads.bottom.pressure", "5 kPa"),
                          "--set loads.bottom.pressure: loads.bottom: unknown key; known: "));
     EXPECT_TRUE(
         contains(refusal_of("loads.gravity", "{acceleration: 9.81 m/s^2, along: x}"), "the rubber has no density"));
     EXPECT_EQ(refusal_of("loads.cavity.pressure", "5 kPa"),
-              "--set loads.cavity.pressure: loads.cavity: there is no cavity to load; faces: top, end, fixed, tip");
+              "--set loads.cavity.pressure: loads.cavity: there is no cavity to load; faces: fixed, end, top, tip");
 }
 
 class Angles : public testing::Test {
@@ -369,18 +361,11 @@ TEST(Forces, AreReadWithTheirUnit) {
     EXPECT_EQ(read(design.effective_yaml).tractions.at(0).size, 0.15);
 }
 
-TEST(Forces, CanBeScaledBySolve) {
-    const Design design = read(pushed);
-    const auto changes = apply_overrides(design.effective_yaml, std::vector<Override>{{"loads.inlet.force", "0.3 N"}});
-    ASSERT_EQ(changes.tractions.size(), 1u);
-    EXPECT_EQ(changes.tractions[0].factor, 2.0);
-    try {  // a traction cannot replace a force
-        static_cast<void>(apply_overrides(design.effective_yaml,
-                                          std::vector<Override>{{"loads.inlet", "{traction: 1 kPa, along: x}"}}));
-        FAIL() << "not refused";
-    } catch (const Error& error) {
-        EXPECT_TRUE(contains(error.what(), "the case has no traction on this face")) << error.what();
-    }
+TEST(Forces, CanBeChangedAndReplacedBySolve) {
+    const std::string effective = read(pushed).effective_yaml;
+    EXPECT_EQ(read_built(effective, {{"loads.inlet.force", "0.3 N"}}).tractions.at(0).size, 0.3);
+    const Design spread = read_built(effective, {{"loads.inlet", "{traction: 1 kPa, along: x}"}});
+    EXPECT_EQ(spread.tractions.at(0).spread, Design::Spread::per_area);
 }
 
 }  // namespace

@@ -127,7 +127,7 @@ TEST(MaterialLibrary, OtherKeysCanBeGivenWithTheNameAndOverridden) {
 TEST(MaterialLibrary, SolveCanSelectAnotherSet) {
     const Design design = read(pipe_of("dragon-skin-20"));
     const Override overrides[] = {{"material", "{name: dragon-skin-20, range: 110 %}"}};
-    const SolveChanges changes = apply_overrides(design.effective_yaml, overrides);
+    const Design changes = read_built(design.effective_yaml, {overrides[0]});
     EXPECT_EQ(changes.material.constants, read(pipe_of("{name: dragon-skin-20, range: 110 %}")).material.constants);
 }
 

@@ -77,13 +77,12 @@ TEST(Material, ListsCanBeOverriddenAndChangedBySolve) {
     const std::vector<Override> changes = {{"material.mu", "[0.5 MPa, 2 kPa]"}};
     const std::string text = pipe_of("law: ogden, mu: [0.63 MPa, 1.2 kPa], alpha: [1.3, 5]");
     EXPECT_EQ(read(text, changes).material.constants.at("mu"), (std::vector<double>{0.5e6, 2e3}));
-    const SolveChanges solve = apply_overrides(read(text).effective_yaml, changes);
+    const Design solve = read_built(read(text).effective_yaml, changes);
     EXPECT_EQ(solve.material.constants.at("mu"), (std::vector<double>{0.5e6, 2e3}));
     EXPECT_TRUE(contains(solve.effective_yaml, "  mu: [0.5 MPa, 2 kPa]\n")) << solve.effective_yaml;
     EXPECT_EQ(refusal(text, {{"material.mu", "[0.5 MPa, 2]"}}).find("--set material.mu: '2' has no unit"), 0u);
     // Another law as a whole.
-    const SolveChanges other =
-        apply_overrides(read(text).effective_yaml, std::vector<Override>{{"material", "{law: yeoh, c1: 80 kPa}"}});
+    const Design other = read_built(read(text).effective_yaml, {{"material", "{law: yeoh, c1: 80 kPa}"}});
     EXPECT_EQ(other.material.law, "yeoh");
     EXPECT_EQ(other.material.constants.at("c3"), std::vector<double>{0.0});
 }

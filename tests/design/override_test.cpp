@@ -78,7 +78,7 @@ TEST_F(Apply, MatchesADesignWithTheSameOverrides) {
                                            {"material.kappa", "3 MPa"},        {"path.control", "pressure"},
                                            {"path.until.elongation", "50 mm"}, {"solver.first_step", "0.1"}};
     const Design whole = read(effective_, changes);
-    const SolveChanges part = apply_overrides(effective_, changes);
+    const Design part = read_built(effective_, changes);
     EXPECT_EQ(part.effective_yaml, whole.effective_yaml);
     EXPECT_EQ(part.path.stages.at(0).supplies.at(0).value, 60000.0);
     EXPECT_FALSE(part.loads.at(0).sealed);
@@ -89,14 +89,14 @@ TEST_F(Apply, MatchesADesignWithTheSameOverrides) {
     EXPECT_EQ(part.solver.first_step, 0.1);
 }
 
-TEST_F(Apply, WithoutOverridesChangesNothing) { EXPECT_EQ(apply_overrides(effective_, {}).effective_yaml, effective_); }
+TEST_F(Apply, WithoutOverridesChangesNothing) { EXPECT_EQ(read_built(effective_, {}).effective_yaml, effective_); }
 
 TEST_F(Apply, RejectsKeysThatAreBuiltIntoTheCase) {
     for (const char* path :
          {"geometry.wall", "mesh.size", "model", "supports.fixed", "outputs.elongation.face", "family"}) {
         const std::vector<Override> changes = {{path, "3 mm"}};
         try {
-            static_cast<void>(apply_overrides(effective_, changes));
+            static_cast<void>(read_built(effective_, changes));
             ADD_FAILURE() << path;
         } catch (const Error& error) {
             EXPECT_EQ(error.code(), ExitCode::usage);
@@ -108,7 +108,7 @@ TEST_F(Apply, RejectsKeysThatAreBuiltIntoTheCase) {
 TEST_F(Apply, RejectsInvalidValuesAndUnknownLoadsAtTheirOverride) {
     const auto line = [&](const Override& change) {
         try {
-            static_cast<void>(apply_overrides(effective_, std::vector{change}));
+            static_cast<void>(read_built(effective_, {change}));
         } catch (const Error& error) {
             EXPECT_EQ(error.code(), ExitCode::bad_input);
             return std::string{error.what()};
@@ -121,6 +121,19 @@ TEST_F(Apply, RejectsInvalidValuesAndUnknownLoadsAtTheirOverride) {
               0u);
     EXPECT_EQ(line({"path.until.twist", "1 mm"}).find("--set path.until.twist: unknown key"), 0u);
     EXPECT_EQ(line({"colour", "red"}).find("--set colour: unknown key"), 0u);
+}
+
+TEST_F(Apply, ReportsTheLocationInTheFileOfAnInvalidDesign) {
+    std::string broken = effective_;
+    broken.replace(broken.find("mu: 0.1644 MPa"), 14, "mu: -1 kPa");
+    try {
+        static_cast<void>(read_built(broken, {}));
+        ADD_FAILURE();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::bad_input);
+        EXPECT_TRUE(contains(error.what(), "case.h5:/design/effective_yaml:")) << error.what();
+        EXPECT_TRUE(contains(error.what(), ": material.mu: -1 kPa is out of range")) << error.what();
+    }
 }
 
 }  // namespace

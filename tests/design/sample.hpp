@@ -99,6 +99,12 @@ inline Design read(std::string_view text, const std::vector<Override>& overrides
     return read_design(text, "p.yaml", families(), overrides);
 }
 
+/// The effective design of a case with overrides of solve.
+inline Design read_built(std::string_view effective, const std::vector<Override>& overrides,
+                         std::span<const FamilyKeys> known = families()) {
+    return read_built_design(effective, "case.h5:/design/effective_yaml", known, overrides, {});
+}
+
 /// The target of the first pressure load in a design without stages.
 inline model::SupplyTarget supply(const Design& design) { return design.path.stages.at(0).supplies.at(0); }
 

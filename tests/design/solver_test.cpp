@@ -102,7 +102,7 @@ TEST(Solver, SettingsAreReproducedByTheEffectiveDesignAndPassedToSolve) {
                                            {"solver.linear_limit", "7"},
                                            {"material.strain", "small"},
                                            {"loads.cavity.acts_on", "undeformed"}};
-    const SolveChanges part = apply_overrides(effective, changes);
+    const Design part = read_built(effective, changes);
     EXPECT_EQ(part.solver.newton, NewtonMethod::modified);
     EXPECT_EQ(part.solver.linear.iteration_limit, 7);
     EXPECT_EQ(part.solver.linear.preconditioner, Preconditioner::asm_ilu);

@@ -1,5 +1,6 @@
 /// Changes a file as another release or machine would write it, by plain HDF5 calls.
-/// h5_change FILE version|unknown|big-endian DATASET
+/// h5_change FILE older|version|unknown|big-endian DATASET
+///   older        decreases the format version by one
 ///   version      increases the format version by one
 ///   unknown      adds groups, datasets and attributes that this release does not know
 ///   big-endian   converts the numbers of DATASET to big-endian byte order without changing their values
@@ -23,7 +24,7 @@ void add_unknown(hid_t file) {
     const double value = 1;
     const hid_t space = H5Screate(H5S_SCALAR),
                 group = H5Gcreate2(file, "future", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-    const hid_t known = H5Gopen2(file, "control", H5P_DEFAULT);
+    const hid_t known = H5Gopen2(file, "shape", H5P_DEFAULT);
     for (const hid_t parent : {group, known}) {
         const hid_t dataset =
             H5Dcreate2(parent, "future_key", H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
@@ -60,8 +61,10 @@ int main(int argc, char** argv) {
     const hid_t file = argc > 2 ? H5Fopen(argv[1], H5F_ACC_RDWR, H5P_DEFAULT) : H5I_INVALID_HID;
     if (file < 0) return 1;
     bool done = true;
-    if (what == "version")
-        put_version(file, 2);
+    if (what == "older")
+        put_version(file, 1);
+    else if (what == "version")
+        put_version(file, 3);
     else if (what == "unknown")
         add_unknown(file);
     else

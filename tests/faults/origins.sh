@@ -8,8 +8,11 @@ changed() { runs "cp $1 changed.h5 && $change changed.h5 $2"; }
 for tool in solve postprocess; do
     file=case.h5
     if [ $tool = postprocess ]; then file=result.h5; fi
+    changed $file older
+    row 'a file of an older format' $tool 65 'changed.h5: an older release wrote it (format 1, this program reads 2); *' nothing \
+        "$tool changed.h5 -o place/out"
     changed $file version
-    row 'a file of a newer format' $tool 65 'changed.h5: format version 2 is unknown (this program reads version 1); use the same release of *' nothing \
+    row 'a file of a newer format' $tool 65 'changed.h5: a newer release wrote it (format 3, this program reads 2); use the same release of *' nothing \
         "$tool changed.h5 -o place/out"
     changed $file unknown
     row 'groups and attributes of a newer release' $tool 0 - - "$tool -q changed.h5 -o place/out"

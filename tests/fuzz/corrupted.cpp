@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "../io/example_case.hpp"
+#include "geometry/build.hpp"
 #include "io/hdf5_write.hpp"
 #include "io/image.hpp"
 #include "target.hpp"
@@ -44,9 +46,43 @@ private:
     std::span<const std::byte> bytes_;
 };
 
+/// A design that fits the mesh of the example, so that its rows fit too.
+constexpr const char* good_design = R"(family: imported
+geometry:
+  file: section.msh
+  cavities: {main: main, annex: annex}
+material: {law: neo-hookean, mu: 164.4 kPa, density: 1080 kg/m^3}
+materials: {collar: {law: ogden, mu: [100 kPa, 2 kPa], alpha: [1.3, 5], density: 1200 kg/m^3}}
+model: axisymmetric
+supports: {fixed: end_disc}
+loads:
+  cavities: {main: {pressure: 30 kPa, gas: {dead_volume: 5 mL}}, annex: {shares: main}}
+  inlet: {pressure: 1 kPa}
+  end_disc: {traction: 2 kPa, along: axis}
+path:
+  frequencies: 2
+  until: {elongation: 3 mm}
+  stages:
+    inflate: {loads: {cavities: {main: {pressure: 30 kPa}}, inlet: {pressure: 1 kPa}, end_disc: {traction: 1 kPa}}}
+    hold: {loads: {cavities: {main: {valve: closed}}}}
+    vent: {loads: {cavities: {main: {mass: 1 mg}}}}
+outputs:
+  elongation: {face: inlet, along: axis}
+  tip: {point: [100 mm, 350 mm], along: r}
+)";
+
 std::vector<std::byte> good_result() {
     using namespace io::test;
-    io::ResultWriter writer{{section_image(), "case.h5", section_case()}, example_provenance("solve"), {}};
+    model::Case section = section_case();
+    section.mesh.facet_sets["main"] = {{0, 0}};  // a design calls a cavity like its wall
+    section.mesh.facet_sets["annex"] = {{1, 0}};
+    model::Shape shape = shape_of(section);
+    for (model::Cavity& cavity : shape.cavities) cavity.wall = cavity.name;
+    shape.region_materials = {{"collar", "collar"}};
+    shape.region_fibers.clear();
+    const auto given = io::write_case(section.mesh, shape, {good_design, {}}, example_provenance("mesh-gen"));
+    const model::Case solved = geometry::rebuild_case(section.mesh, shape, good_design, "good.yaml");
+    io::ResultWriter writer{{given, "case.h5", solved}, example_provenance("solve"), {}};
     for (int i = 0; i < 3; ++i) writer.append(example_step(i), example_displacement(i), example_pressure(i));
     return writer.finish(example_end());
 }
@@ -165,6 +201,17 @@ void replace_text(hid_t file, const std::string& name, Script& script) {
     io::write_texts(parent.get(), {last, "1", "corrupted"}, texts);
 }
 
+/// Replaces some characters of the design.
+void edit_design(hid_t file, Script& script) {
+    std::string text = good_design;
+    const unsigned high = script.next();
+    const std::size_t at = (high << 8U | script.next()) % text.size();
+    text.replace(at, script.next() % 20, script.text());
+    const GroupHandle parent{H5Gopen2(file, "/design", H5P_DEFAULT)};
+    if (!parent || H5Ldelete(parent.get(), "effective_yaml", H5P_DEFAULT) < 0) return;
+    io::write_text(parent.get(), {"effective_yaml", "1", "corrupted"}, text);
+}
+
 void relink(hid_t file, const std::string& name, const std::string& target, Script& script) {
     if (H5Ldelete(file, name.c_str(), H5P_DEFAULT) < 0) return;
     switch (script.next() % 5) {
@@ -198,7 +245,7 @@ void corrupt(hid_t file, const Objects& objects, Script& script) {
         case 1:
         case 2: return change_number(file, dataset, script);
         case 3: return replace(file, dataset, script);
-        case 4: return replace_text(file, dataset, script);
+        case 4: return kind % 16 < 8 ? replace_text(file, dataset, script) : edit_design(file, script);
         case 5: return relink(file, kind % 16 < 8 ? dataset : group, kind % 3 == 0 ? dataset : group, script);
         case 6: return change_attribute(file, group, script);
         default: {
@@ -209,7 +256,15 @@ void corrupt(hid_t file, const Objects& objects, Script& script) {
 }
 
 std::vector<std::byte> corrupted_image(Script script) {
-    static const std::vector<std::byte> good = good_result();
+    static const std::vector<std::byte> good = [] {
+        try {
+            std::vector<std::byte> image = good_result();
+            static_cast<void>(io::read_result(image, "good.h5", geometry::rebuild_case));
+            return image;
+        } catch (const Error& error) {  // not a refusal of the input
+            throw std::logic_error(error.what());
+        }
+    }();
     const io::FileHandle file = io::open_memory_copy(io::split_image(good, "good").hdf5);
     static const Objects objects = objects_of(file.get());
     constexpr int max_changes = 8;
@@ -231,10 +286,10 @@ void read(std::span<const std::byte> bytes) {
         image = corrupted_image(Script{bytes});
     }
     even_so([&] {
-        const io::Result result = io::read_result(image, "fuzz.h5");
+        const io::Result result = io::read_result(image, "fuzz.h5", geometry::rebuild_case);
         for (const std::int64_t step : result.fields.steps()) static_cast<void>(result.fields.read(step));
     });
-    static_cast<void>(io::read_case_file(image, "fuzz.h5"));
+    static_cast<void>(io::read_case_file(image, "fuzz.h5", geometry::rebuild_case));
 }
 
 }  // namespace soft::fuzz

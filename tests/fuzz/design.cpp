@@ -19,7 +19,6 @@ void soft::fuzz::read(std::span<const std::byte> bytes) {
     require(read_again(design.effective_yaml).effective_yaml == design.effective_yaml,
             "the effective design reads back to itself");
     static_cast<void>(design::explain_design(text_of(bytes), source, geometry::catalogue_keys(), {}));
-    static_cast<void>(design::apply_overrides(design.effective_yaml, {}));
     for (const geometry::Family& family : geometry::catalogue())
         if (family.keys.name == design.family && std::ranges::find(meshed, design.family) == meshed.end())
             static_cast<void>(family.build(design.values));

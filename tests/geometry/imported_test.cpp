@@ -216,9 +216,6 @@ TEST_F(ImportedSolid, ModelMustMatchTheMesh) {
 TEST_F(ImportedSolid, EffectiveDesignIsReproducible) {
     const design::Design design = import_design(design_text(file.path, usual, ", cavity: [inner, ends]"));
     EXPECT_EQ(import_design(design.effective_yaml).effective_yaml, design.effective_yaml);
-    const auto changes = design::apply_overrides(design.effective_yaml,
-                                                 std::vector<design::Override>{{"loads.inner.pressure", "7 kPa"}});
-    EXPECT_NEAR(changes.path.stages.at(0).supplies.at(0).value, 7e3, 1e-9);
     EXPECT_FALSE(design::explain_design(design.effective_yaml, "part.yaml", catalogue_keys(), {}).empty());
 }
 

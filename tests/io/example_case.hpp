@@ -2,6 +2,7 @@
 /// Hand-written cases with two cells, and functions that modify HDF5 files.
 #include <functional>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,7 @@
 
 namespace soft::io::test {
 
-[[nodiscard]] model::Case section_case();           ///< two quad9, axisymmetric; uses every optional part
+[[nodiscard]] model::Case section_case();           ///< two quad9, axisymmetric
 [[nodiscard]] model::Case solid_case();             ///< two hex27; no cavity, incompressible
 [[nodiscard]] model::Case dynamic_case();           ///< solid_case as a dynamic case
 [[nodiscard]] model::Step moving_step(int number);  ///< a row of dynamic_case
@@ -20,13 +21,29 @@ namespace soft::io::test {
 [[nodiscard]] Provenance example_provenance(const std::string& tool);
 [[nodiscard]] std::vector<std::byte> section_image();
 
+/// The shape of an example, with every optional part.
+[[nodiscard]] model::Shape shape_of(const model::Case& model);
+[[nodiscard]] std::vector<std::byte> write_case(const model::Case& model, const DesignText& design,
+                                                const Provenance& provenance);
+/// These builders take mesh and shape from the file, and all else from `like`.
+[[nodiscard]] model::CaseBuilder builder_of(const model::Case& like);
+[[nodiscard]] CaseFile read_case_file(std::span<const std::byte> image, std::string_view source,
+                                      const model::Case& like = section_case());
+[[nodiscard]] Result read_result(std::vector<std::byte> image, std::string_view source,
+                                 const model::Case& like = section_case());
+[[nodiscard]] InterruptedSolve read_interrupted(std::span<const std::byte> image, std::string_view source,
+                                                const model::Case& like = section_case());
+/// Expects that the file contains mesh and shape of `model`.
+void expect_stored(std::span<const std::byte> image, const model::Case& model);
+
 [[nodiscard]] model::Step example_step(int number);
 [[nodiscard]] std::vector<double> example_displacement(int number);  ///< of section_case
 [[nodiscard]] std::vector<double> example_pressure(int number);
 [[nodiscard]] model::PathEnd example_end();
 [[nodiscard]] model::Checkpoint example_checkpoint(int rows);  ///< every member has a distinct value
 
-void expect_equal(const model::Case& left, const model::Case& right);
+void expect_equal(const mesh::Mesh& left, const mesh::Mesh& right);
+void expect_equal(const model::Shape& left, const model::Shape& right);
 void expect_equal(const model::Step& left, const model::Step& right);
 void expect_equal(const model::PathEnd& left, const model::PathEnd& right);
 void expect_equal(const model::Checkpoint& left, const model::Checkpoint& right);

@@ -33,37 +33,36 @@ void declare_chunked(hid_t file, const char* name, hsize_t count, hsize_t chunk)
 void declare_external(hid_t file) {
     const PropertiesHandle properties{H5Pcreate(H5P_DATASET_CREATE)};
     H5Pset_external(properties.get(), "/etc/passwd", 0, 16);
-    declare(file, "/loads/exponent", H5T_IEEE_F64LE, 2, properties.get());
+    declare(file, "/shape/cavities/openings/area", H5T_IEEE_F64LE, 1, properties.get());
 }
 
 void declare_virtual(hid_t file) {
     const PropertiesHandle properties{H5Pcreate(H5P_DATASET_CREATE)};
-    const hsize_t count = 2;
+    const hsize_t count = 1;
     const SpaceHandle space{H5Screate_simple(1, &count, nullptr)};
     H5Pset_virtual(properties.get(), space.get(), "other.h5", "/secret", space.get());
-    declare(file, "/loads/exponent", H5T_IEEE_F64LE, 2, properties.get());
+    declare(file, "/shape/cavities/openings/area", H5T_IEEE_F64LE, 1, properties.get());
 }
 
 void declare_variable_text(hid_t file) {
-    unlink(file, "/design/family");
+    unlink(file, "/design/effective_yaml");
     const TypeHandle type{H5Tcopy(H5T_C_S1)};
     H5Tset_size(type.get(), H5T_VARIABLE);
     const SpaceHandle space{H5Screate(H5S_SCALAR)};
     const DatasetHandle dataset{
-        H5Dcreate2(file, "/design/family", type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT)};
+        H5Dcreate2(file, "/design/effective_yaml", type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT)};
     const char* text = "tube";
     H5Dwrite(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, &text);
 }
 
-void set_version(hid_t file) {
+void set_version(hid_t file, std::int64_t version) {
     H5Adelete(file, "format_version");
-    write_attribute(file, "format_version", std::int64_t{2});
+    write_attribute(file, "format_version", version);
 }
 
 using Integers = std::vector<std::int64_t>;
 using Numbers = std::vector<double>;
 using Words = std::vector<std::string>;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 const std::vector<Corruption>& corruptions() {
     static const std::vector<Corruption> list{
@@ -120,224 +119,110 @@ const std::vector<Corruption>& corruptions() {
              replace<std::int64_t>(f, "/mesh", "cell_regions", {0, 1});
          },
          "/mesh/cell_regions"},
-        {"UnknownKinematics", [](hid_t f) { replace_text(f, "/mesh", "kinematics", "quantum"); },
-         "/mesh/kinematics: 'quantum'"},
-        {"EscapeSequenceInAWord", [](hid_t f) { replace_text(f, "/mesh", "kinematics", "\x1b[2J"); },
-         "/mesh/kinematics: '?[2J'"},
-        {"KinematicsOfAnotherDimension", [](hid_t f) { replace_text(f, "/mesh", "kinematics", "solid"); },
-         "/mesh/dimension"},
-        {"FractionBeyondOne", [](hid_t f) { overwrite(f, "/mesh/model_fraction", 0, Numbers{1.5}); },
-         "/mesh/model_fraction"},
+        {"UnknownKinematics", [](hid_t f) { replace_text(f, "/shape", "kinematics", "quantum"); },
+         "/shape/kinematics: 'quantum'"},
+        {"EscapeSequenceInAWord", [](hid_t f) { replace_text(f, "/shape", "kinematics", "\x1b[2J"); },
+         "/shape/kinematics: '?[2J'"},
+        {"KinematicsOfAnotherDimension", [](hid_t f) { replace_text(f, "/shape", "kinematics", "solid"); },
+         "/VTKHDF/Types[0]"},
+        {"FractionBeyondOne", [](hid_t f) { overwrite(f, "/shape/model_fraction", 0, Numbers{1.5}); },
+         "/shape/model_fraction"},
         {"FlagOfTwo",
          [](hid_t f) {
-             replace<std::uint8_t>(f, "/mesh", "symmetry_planes", {0, 2, 0});
+             replace<std::uint8_t>(f, "/shape", "symmetry_planes", {0, 2, 0});
          },
-         "/mesh/symmetry_planes"},
-        {"ConstantInfinite", [](hid_t f) { overwrite(f, "/materials/rubber/constants/mu", 0, Numbers{infinity}); },
-         "/materials/rubber/constants/mu[0]"},
-        {"BulkModulusNegative", [](hid_t f) { overwrite(f, "/materials/rubber/bulk_modulus", 0, Numbers{-1}); },
-         "/materials/rubber/bulk_modulus"},
-        {"RegionWithoutMaterial", [](hid_t f) { unlink(f, "/materials/collar"); }, "/materials"},
-        {"TwoMaterialsOfOneOrder", [](hid_t f) { overwrite(f, "/materials/rubber/order", 0, Integers{1}); },
-         "/materials/"},
-        {"TractionNotFinite", [](hid_t f) { overwrite(f, "/loads/tractions/traction", 4, Numbers{nan}); },
-         "/loads/tractions/traction"},
-        {"TractionOnNoFace", [](hid_t f) { replace_text(f, "/loads/tractions", "face", "nowhere"); },
-         "/loads/tractions/face"},
-        {"TargetThatIsNothing",
-         [](hid_t f) {
-             replace_texts(f, "/loads/targets", "name", {"main", "annex", "nowhere"});
-         },
-         "/loads/targets/name: there is no cavity or face named 'nowhere'"},
-        {"TargetThatIsEmpty",
-         [](hid_t f) {
-             replace_texts(f, "/loads/targets", "name", {"main", "annex", "unused"});
-         },
-         "/loads/targets/name: the face 'unused' is empty"},
-        {"FaceAmongCavities",
-         [](hid_t f) {
-             replace_texts(f, "/loads/targets", "name", {"main", "inlet", "inlet"});
-         },
-         "'inlet' of the load 'supply' is not a cavity"},
-        {"CavityLoadedTwice",
-         [](hid_t f) {
-             replace_texts(f, "/loads/targets", "name", {"main", "main", "inlet"});
-         },
-         "the cavity 'main' is loaded twice"},
-        {"TargetOfNoLoad", [](hid_t f) { overwrite(f, "/loads/targets/load", 2, Integers{2}); },
-         "/loads/targets/load[2]"},
-        {"LoadWithoutTarget", [](hid_t f) { overwrite(f, "/loads/targets/load", 2, Integers{0}); },
-         "/loads/targets/name: "},
-        {"TwoLoadsOfOneName",
-         [](hid_t f) {
-             replace_texts(f, "/loads", "name", {"supply", "supply"});
-         },
-         "/loads/name[1]: 'supply' occurs twice"},
-        {"LoadThatHasNoName",
-         [](hid_t f) {
-             replace_texts(f, "/loads", "name", {"supply", "a/b"});
-         },
-         "/loads/name[1]"},
-        {"VacuumOutside", [](hid_t f) { overwrite(f, "/loads/ambient_pressure", 1, Numbers{0}); },
-         "/loads/ambient_pressure[1]"},
-        {"GasWithoutDensity", [](hid_t f) { overwrite(f, "/loads/ambient_density", 0, Numbers{-1}); },
-         "/loads/ambient_density[0]"},
-        {"GasWithoutExponent", [](hid_t f) { overwrite(f, "/loads/exponent", 0, Numbers{0}); }, "/loads/exponent[0]"},
-        {"NegativeTubing", [](hid_t f) { overwrite(f, "/loads/dead_volume", 0, Numbers{-1e-9}); },
-         "/loads/dead_volume[0]"},
-        {"BodyForceAcrossTheAxis", [](hid_t f) { overwrite(f, "/loads/body_forces/acceleration", 1, Numbers{1}); },
-         "/loads/body_forces/acceleration[0]: does not point along the axis"},
-        {"BodyForceWithoutDensity", [](hid_t f) { unlink(f, "/materials/collar/density"); },
-         "/materials/collar/density: is missing, but a body force requires it"},
-        {"DensityZero", [](hid_t f) { overwrite(f, "/materials/rubber/density", 0, Numbers{0}); },
-         "/materials/rubber/density"},
-        {"MotionOfNoFace",
-         [](hid_t f) {
-             replace_texts(f, "/loads/motions", "face", {"inlet", "no"});
-         },
-         "/loads/motions/face[1]"},
-        {"MotionOfNoComponent",
-         [](hid_t f) {
-             replace<std::uint8_t>(f, "/loads/motions", "moved", {0, 0, 0, 1, 1, 0}, {2, 3});
-         },
-         "/loads/motions/moved[0]: prescribes no component"},
-        {"MotionNotFinite", [](hid_t f) { overwrite(f, "/loads/motions/displacement", 0, Numbers{infinity}); },
-         "/loads/motions/displacement"},
-        {"BendFromNoFace",
-         [](hid_t f) {
-             replace_texts(f, "/outputs", "reference", {"", ""});
-         },
-         "/outputs/reference[1]"},
-        {"DisplacementFromAFace",
-         [](hid_t f) {
-             replace_texts(f, "/outputs", "reference", {"inlet", "end_disc"});
-         },
-         "/outputs/reference[0]"},
-        {"UnknownMeasure",
-         [](hid_t f) {
-             replace_texts(f, "/outputs", "measure", {"displacement", "colour"});
-         },
-         "/outputs/measure[1]: 'colour'"},
-        {"NoStage",
-         [](hid_t f) {
-             for (const char* name : {"/control/stages/0", "/control/stages/1", "/control/stages/2"}) unlink(f, name);
-         },
-         "/control/stages: there is no stage"},
-        {"StageThatIsMissing", [](hid_t f) { unlink(f, "/control/stages/1"); }, "/control/stages/"},
-        {"TwoStagesOfOneName", [](hid_t f) { replace_text(f, "/control/stages/2", "name", "inflate"); },
-         "/control/stages[2]: 'inflate' occurs twice"},
-        {"StageWithoutAName", [](hid_t f) { replace_text(f, "/control/stages/2", "name", ""); }, "/control/stages[2]"},
-        {"UnknownControl", [](hid_t f) { replace_text(f, "/control/stages/0", "control", "hope"); },
-         "/control/stages/0/control: 'hope'"},
-        {"ControlledByNothing", [](hid_t f) { replace_text(f, "/control/stages/1", "controlled", "bend"); },
-         "/control/stages/1/controlled: there is no load named 'bend'"},
-        {"ControlledOutputThatIsNone", [](hid_t f) { replace_text(f, "/control/stages/2", "controlled", "supply"); },
-         "/control/stages/2/controlled: there is no output named 'supply'"},
-        {"UnknownPrescription",
-         [](hid_t f) {
-             replace_texts(f, "/control/stages/0", "prescription", {"taste", "pressure"});
-         },
-         "/control/stages/0/prescription[0]: 'taste'"},
-        {"GasOnAFace",
-         [](hid_t f) {
-             replace_texts(f, "/control/stages/0", "prescription", {"pressure", "closed"});
-         },
-         "/control/stages/0/value[1]: the load 'outside' acts on a face"},
-        {"VolumeRatioOfZero", [](hid_t f) { overwrite(f, "/control/stages/0/value", 0, Numbers{0}); },
-         "/control/stages/0/value[0]: must be positive"},
-        {"FewerSupplies",
-         [](hid_t f) {
-             replace_texts(f, "/control/stages/0", "prescription", {"pressure"});
-             replace<double>(f, "/control/stages/0", "value", {1});
-         },
-         "/control/stages/0/prescription: must have one entry per load"},
-        {"FewerTractions", [](hid_t f) { replace<double>(f, "/control/stages/1", "tractions", {1}); },
-         "/control/stages/1/tractions: must have one entry per load"},
-        {"MoreBodyForces",
-         [](hid_t f) {
-             replace<double>(f, "/control/stages/1", "body_forces", {1, 2});
-         },
-         "/control/stages/1/body_forces"},
-        {"MotionLevelNotFinite", [](hid_t f) { overwrite(f, "/control/stages/1/motions", 0, Numbers{nan}); },
-         "/control/stages/1/motions"},
-        {"UntilOfNoOutput", [](hid_t f) { replace_texts(f, "/control/stages/2/until", "quantity", {"bulge"}); },
-         "/control/stages/2/until/quantity[0]: there is no output named 'bulge'"},
-        {"UnknownBranch", [](hid_t f) { replace_text(f, "/control", "branch", "saw"); }, "/control/branch: 'saw'"},
-        {"UnknownContact", [](hid_t f) { replace_text(f, "/control", "contact", "first"); },
-         "/control/contact: 'first'"},
-        {"ImperfectionZero", [](hid_t f) { overwrite(f, "/control/imperfection", 0, Numbers{0}); },
-         "/control/imperfection"},
-        {"StretchLimitOne", [](hid_t f) { overwrite(f, "/control/stretch_limit", 0, Numbers{1}); },
-         "/control/stretch_limit"},
-        {"TooManyFrequencies", [](hid_t f) { overwrite(f, "/control/frequencies", 0, std::vector<std::int64_t>{51}); },
-         "/control/frequencies: must be between 0 and 50"},
+         "/shape/symmetry_planes"},
         {"SupportOfNoFace",
          [](hid_t f) {
-             unlink(f, "/supports/face");
-             write_texts(f, {"/supports/face", "1", ""}, Words{"cavity", "no"});
+             unlink(f, "/shape/supports/face");
+             write_texts(f, {"/shape/supports/face", "1", ""}, Words{"cavity", "no"});
          },
-         "/supports/face[1]: there is no face named 'no'"},
-        {"OpeningWithoutArea", [](hid_t f) { overwrite(f, "/loads/cavities/main/openings/area", 0, Numbers{0}); },
-         "/loads/cavities/main/openings/area[0]"},
-        {"WallOfNoFace", [](hid_t f) { replace_text(f, "/loads/cavities/main", "wall", "nowhere"); },
-         "/loads/cavities/main/wall: there is no face named 'nowhere'"},
-        {"WallOfAnEmptyFace", [](hid_t f) { replace_text(f, "/loads/cavities/main", "wall", "unused"); },
-         "/loads/cavities/main/wall"},
-        {"DirectionNotUnit", [](hid_t f) { overwrite(f, "/outputs/direction", 0, Numbers{2}); },
-         "/outputs/direction[0]"},
-        {"UntilNotFinite", [](hid_t f) { overwrite(f, "/control/stages/0/until/value", 0, Numbers{nan}); },
-         "/control/stages/0/until/value[0]"},
-        {"ToleranceZero", [](hid_t f) { overwrite(f, "/control/solver/residual_tolerance", 0, Numbers{0}); },
-         "/control/solver/residual_tolerance"},
-        {"LimitBeyondInt", [](hid_t f) { overwrite(f, "/control/solver/newton_limit", 0, Integers{1LL << 32}); },
-         "/control/solver/newton_limit"},
+         "/shape/supports/face[1]: there is no face named 'no'"},
+        {"SupportOfNoComponent",
+         [](hid_t f) {
+             replace<std::uint8_t>(f, "/shape/supports", "fixed", {0, 0, 0, 1, 1, 0}, {2, 3});
+         },
+         "/shape/supports/fixed[0]: fixes no component"},
+        {"AxisNotUnit", [](hid_t f) { overwrite(f, "/shape/axis", 0, Numbers{2}); },
+         "/shape/axis: is not a unit vector"},
+        {"OpeningWithoutArea", [](hid_t f) { overwrite(f, "/shape/cavities/openings/area", 0, Numbers{0}); },
+         "/shape/cavities/openings/area"},
+        {"OpeningOfNoCavity", [](hid_t f) { overwrite(f, "/shape/cavities/openings/cavity", 0, Integers{2}); },
+         "/shape/cavities/openings/cavity[0]: there is no cavity 2"},
+        {"OpeningDirectionNotUnit", [](hid_t f) { overwrite(f, "/shape/cavities/openings/direction", 0, Numbers{0}); },
+         "/shape/cavities/openings/direction"},
+        {"InnerFaceOfNoCavity", [](hid_t f) { overwrite(f, "/shape/cavities/inner_faces/cavity", 0, Integers{-1}); },
+         "/shape/cavities/inner_faces/cavity[0]"},
+        {"TwoCavitiesOfOneName",
+         [](hid_t f) {
+             replace_texts(f, "/shape/cavities", "name", {"main", "main"});
+         },
+         "/shape/cavities/name[1]: 'main' occurs twice"},
+        {"WallOfNoFace",
+         [](hid_t f) {
+             replace_texts(f, "/shape/cavities", "wall", {"cavity", "nowhere"});
+         },
+         "/shape/cavities/wall[1]: there is no face named 'nowhere'"},
+        {"WallOfAnEmptyFace",
+         [](hid_t f) {
+             replace_texts(f, "/shape/cavities", "wall", {"unused", "cavity"});
+         },
+         "/shape/cavities/wall[0]: the face 'unused' is empty"},
+        {"FibersWithoutStiffness", [](hid_t f) { overwrite(f, "/shape/fibers/k1", 0, Numbers{0}); },
+         "/shape/fibers/k1"},
+        {"ThreeFamiliesOfFibers", [](hid_t f) { overwrite(f, "/shape/fibers/families", 0, Integers{3}); },
+         "/shape/fibers/families: must be 1 or 2"},
+        {"UnknownFrame", [](hid_t f) { replace_texts(f, "/shape/fibers", "frame", {"hyperbolic"}); },
+         "/shape/fibers/frame[0]: 'hyperbolic'"},
+        {"FamiliesBeyondInt", [](hid_t f) { overwrite(f, "/shape/fibers/families", 0, Integers{1LL << 32}); },
+         "/shape/fibers/families"},
         {"ListsOfDifferentLength",
          [](hid_t f) {
-             replace<double>(f, "/loads", "exponent", {1, 2, 3});
+             replace<double>(f, "/shape/cavities/openings", "area", {1, 2, 3});
          },
-         "/loads/exponent"},
-        {"MissingGroup", [](hid_t f) { unlink(f, "/supports"); }, "case.h5:/supports: is missing"},
-        {"MissingDataset", [](hid_t f) { unlink(f, "/mesh/formulation"); }, "case.h5:/mesh/formulation: is missing"},
+         "/shape/cavities/openings/area"},
+        {"MissingGroup", [](hid_t f) { unlink(f, "/shape/supports"); }, "case.h5:/shape/supports: is missing"},
+        {"MissingDataset", [](hid_t f) { unlink(f, "/shape/axis"); }, "case.h5:/shape/axis: is missing"},
         {"MissingFormat", [](hid_t f) { H5Adelete(f, "format"); }, "not a soft-actuator file"},
-        {"NewerVersion", set_version, "format version 2"},
-        {"ChangedDesignText", [](hid_t f) { replace_text(f, "/design", "effective_yaml", "family: rod"); },
-         "/design/effective_yaml"},
+        {"OlderVersion", [](hid_t f) { set_version(f, 1); },
+         "case.h5: an older release wrote it (format 1, this program reads 2); generate the case again with mesh-gen"},
+        {"NewerVersion", [](hid_t f) { set_version(f, 3); }, "case.h5: a newer release wrote it (format 3"},
         {"GroupForADataset",
          [](hid_t f) {
-             unlink(f, "/loads/exponent");
-             static_cast<void>(create_group(f, "/loads/exponent", ""));
+             unlink(f, "/shape/cavities/openings/area");
+             static_cast<void>(create_group(f, "/shape/cavities/openings/area", ""));
          },
-         "/loads/exponent"},
+         "/shape/cavities/openings/area"},
         {"DatasetForAGroup",
          [](hid_t f) {
-             unlink(f, "/supports");
-             write_count(f, {"supports", "1", ""}, 1);
+             unlink(f, "/shape/supports");
+             write_number(f, {"/shape/supports", "1", ""}, 1);
          },
-         "/supports"},
+         "/shape/supports"},
         {"ExternalLink",
          [](hid_t f) {
-             unlink(f, "/supports");
-             H5Lcreate_external("other.h5", "/x", f, "supports", H5P_DEFAULT, H5P_DEFAULT);
+             unlink(f, "/shape/supports");
+             H5Lcreate_external("other.h5", "/x", f, "/shape/supports", H5P_DEFAULT, H5P_DEFAULT);
          },
-         "case.h5:/supports: is a soft or external link"},
+         "case.h5:/shape/supports: is a soft or external link"},
         {"SoftLink",
          [](hid_t f) {
-             unlink(f, "/loads/exponent");
-             H5Lcreate_soft("/outputs/direction", f, "/loads/exponent", H5P_DEFAULT, H5P_DEFAULT);
+             unlink(f, "/shape/cavities/openings/area");
+             H5Lcreate_soft("/shape/axis", f, "/shape/cavities/openings/area", H5P_DEFAULT, H5P_DEFAULT);
          },
-         "case.h5:/loads/exponent: is a soft or external link"},
+         "case.h5:/shape/cavities/openings/area: is a soft or external link"},
         {"DanglingSoftLinkAmongFaces",
          [](hid_t f) { H5Lcreate_soft("/nowhere", f, "/mesh/facets/x", H5P_DEFAULT, H5P_DEFAULT); }, "/mesh/facets/x"},
-        {"ExternalStorage", declare_external, "/loads/exponent: stores its data in another file"},
-        {"VirtualStorage", declare_virtual, "/loads/exponent: uses an unsupported storage layout"},
-        {"VariableLengthText", declare_variable_text, "/design/family: is not text of fixed length"},
+        {"ExternalStorage", declare_external, "/shape/cavities/openings/area: stores its data in another file"},
+        {"VirtualStorage", declare_virtual, "/shape/cavities/openings/area: uses an unsupported storage layout"},
+        {"VariableLengthText", declare_variable_text, "/design/effective_yaml: is not text of fixed length"},
         {"DeclaredButNotStored", [](hid_t f) { declare_chunked(f, "/mesh/points/tip", 1ULL << 28, 1024); },
          "/mesh/points/tip: is declared larger than its stored data can be"},
         {"DeclaredBeyondReason", [](hid_t f) { declare_chunked(f, "/mesh/points/tip", 1ULL << 62, 1024); },
          "/mesh/points/tip: is declared too large"},
         {"ChunkBeyondReason", [](hid_t f) { declare_chunked(f, "/mesh/points/tip", 2, 1ULL << 27); },
          "/mesh/points/tip: has chunks that are too large"},
-        {"NameThatIsNone", [](hid_t f) { static_cast<void>(create_group(f, "/materials/a b", "")); },
+        {"NameThatIsNone", [](hid_t f) { static_cast<void>(create_group(f, "/mesh/facets/a b", "")); },
          "'a b' is not a valid name"},
     };
     return list;

@@ -50,7 +50,8 @@ inline io::Result bar_result(int steps, const std::string& trap = "a name",
     const model::Case model = bar_case();
     const io::Provenance meshed{"mesh-gen", "0.1.0", "0123abc", {"gmsh 4.8.4"}, "mesh-gen " + trap};
     const io::Provenance solved{"solve", "0.1.0", "0123abc", {"PETSc 3.18"}, "solve " + trap};
-    const auto image = io::write_case(model, {"tube", "family: tube # " + trap + "\n", {"x=" + trap}}, meshed);
+    const model::Shape shape{model.kinematics, 1, {}, {1, 0, 0}, model.supports, {}, {}, {}};
+    const auto image = io::write_case(model.mesh, shape, {"family: tube # " + trap + "\n", {"x=" + trap}}, meshed);
     io::ResultWriter writer({image, "case.h5", model}, solved, {{keep, 1}, {}});
     for (int i = 0; i < steps; ++i) {
         model::Step step;
@@ -63,7 +64,8 @@ inline io::Result bar_result(int steps, const std::string& trap = "a name",
     }
     model::PathEnd end;
     end.detail = trap;
-    return io::read_result(writer.finish(end), "bar.h5");
+    return io::read_result(writer.finish(end), "bar.h5",
+                           [&](mesh::Mesh, const model::Shape&, std::string_view, std::string_view) { return model; });
 }
 
 }  // namespace soft::view::test
