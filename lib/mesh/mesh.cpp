@@ -40,6 +40,26 @@ std::vector<Index> facet_corners(const Mesh& mesh, const Facet& facet) {
     return nodes;
 }
 
+std::vector<Index> drop_unused_points(Mesh& mesh) {
+    constexpr Index unused = -1;
+    std::vector<Index> numbers(mesh.points.size(), unused);
+    const auto at = [](Index point) { return static_cast<std::size_t>(point); };
+    for (const Index node : mesh.connectivity) numbers[at(node)] = node;
+    std::vector<Point> kept;
+    for (std::size_t p = 0; p < numbers.size(); ++p) {
+        if (numbers[p] == unused) continue;
+        numbers[p] = static_cast<Index>(kept.size());
+        kept.push_back(mesh.points[p]);
+    }
+    mesh.points = std::move(kept);
+    for (Index& node : mesh.connectivity) node = numbers[at(node)];
+    for (auto& [name, points] : mesh.point_sets) {
+        for (Index& point : points) point = numbers[at(point)];
+        std::erase(points, unused);
+    }
+    return numbers;
+}
+
 std::int32_t region_number(Mesh& mesh, const std::string& name) {
     auto found = std::ranges::find(mesh.region_names, name);
     if (found == mesh.region_names.end()) found = mesh.region_names.insert(found, name);

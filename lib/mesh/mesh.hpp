@@ -49,6 +49,9 @@ struct Mesh {
 [[nodiscard]] std::int32_t region_number(Mesh& mesh, const std::string& name);
 [[nodiscard]] const std::string& region_name(const Mesh& mesh, Index cell);
 
+/// Removes the points without a cell, also from the point sets; the others keep their order. Returns the new number of each point, or -1.
+std::vector<Index> drop_unused_points(Mesh& mesh);
+
 /// Corner nodes of a facet, in its orientation.
 [[nodiscard]] std::vector<Index> facet_corners(const Mesh& mesh, const Facet& facet);
 

@@ -83,30 +83,14 @@ Mesh raise_order(const Mesh& mesh) {
 }
 
 Mesh lower_order(const Mesh& mesh) {
-    constexpr Index dropped = -1;
-    std::vector<Index> numbers(mesh.points.size(), dropped);
-    for (Index c = 0; c < mesh.cell_count(); ++c)
-        for (const Index corner :
-             mesh.cell_nodes(c).first(static_cast<std::size_t>(topology(mesh.cell_type(c)).vertex_count)))
-            numbers[static_cast<std::size_t>(corner)] = corner;
     Mesh result = frame_of(mesh);
-    for (std::size_t p = 0; p < numbers.size(); ++p) {
-        if (numbers[p] == dropped) continue;
-        numbers[p] = static_cast<Index>(result.points.size());
-        result.points.push_back(mesh.points[p]);
-    }
-    std::vector<Index> nodes;
+    result.points = mesh.points;
     for (Index c = 0; c < mesh.cell_count(); ++c) {
         const CellType lowered = with_order(mesh.cell_type(c), 1);
-        nodes.clear();
-        for (const Index corner : mesh.cell_nodes(c).first(static_cast<std::size_t>(node_count(lowered))))
-            nodes.push_back(numbers[static_cast<std::size_t>(corner)]);
-        add_cell(result, lowered, nodes, mesh.cell_regions[static_cast<std::size_t>(c)]);
+        add_cell(result, lowered, mesh.cell_nodes(c).first(static_cast<std::size_t>(node_count(lowered))),
+                 mesh.cell_regions[static_cast<std::size_t>(c)]);
     }
-    for (auto& [name, points] : result.point_sets) {
-        for (Index& point : points) point = numbers[static_cast<std::size_t>(point)];
-        std::erase(points, dropped);
-    }
+    drop_unused_points(result);
     return result;
 }
 

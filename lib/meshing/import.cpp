@@ -41,7 +41,8 @@ public:
                 refuse("node " + std::to_string(file_.node_tags[n]) + " is defined twice");
         result_.points = file_.positions;
         add_cells();
-        drop_unused_nodes();
+        const std::vector<Index> kept = drop_unused_points(result_);
+        for (auto& [tag, number] : numbers_) number = kept[static_cast<std::size_t>(number)];
         if (result_.dimension == 2) flatten();
         reorient_mirrored();
         refuse_inverted_cells();
@@ -152,21 +153,6 @@ private:
                 position[d] += weight * result_.point(nodes[static_cast<std::size_t>(part)])[d];
         result_.points.push_back(position);
         return next;
-    }
-
-    void drop_unused_nodes() {
-        constexpr Index unused = -1;
-        std::vector<Index> numbers(result_.points.size(), unused);
-        for (const Index node : result_.connectivity) numbers[static_cast<std::size_t>(node)] = node;
-        std::vector<mesh::Point> kept;
-        for (std::size_t p = 0; p < numbers.size(); ++p) {
-            if (numbers[p] == unused) continue;
-            numbers[p] = static_cast<Index>(kept.size());
-            kept.push_back(result_.points[p]);
-        }
-        for (Index& node : result_.connectivity) node = numbers[static_cast<std::size_t>(node)];
-        for (auto& [tag, number] : numbers_) number = numbers[static_cast<std::size_t>(number)];
-        result_.points = std::move(kept);
     }
 
     void flatten() {

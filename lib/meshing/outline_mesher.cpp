@@ -192,16 +192,10 @@ PoorCells poor_cells(const mesh::Mesh& mesh) {
 }
 
 /// Halves the cell length at the given positions; it grows from there at the usual rate.
-Size shorter_at(const Size& size_m, const std::vector<PlanePoint>& positions) {
-    std::vector<double> sizes_m;
-    for (const PlanePoint& position : positions) sizes_m.push_back(0.5 * size_m(position));
-    return [=](PlanePoint p) {
-        double shortest_m = size_m(p);
-        for (std::size_t i = 0; i < positions.size(); ++i)
-            shortest_m = std::min(
-                shortest_m, sizes_m[i] + size_growth * std::hypot(p[0] - positions[i][0], p[1] - positions[i][1]));
-        return shortest_m;
-    };
+Size halved_at(const Size& size_m, const std::vector<PlanePoint>& positions) {
+    std::vector<SizeSeed> seeds;
+    for (const PlanePoint& position : positions) seeds.push_back({position, 0.5 * size_m(position)});
+    return shorter_at(size_m, std::move(seeds));
 }
 
 }  // namespace
@@ -226,7 +220,7 @@ mesh::Mesh mesh_outline(const Outline& outline, FreeCells cells) {
             best = std::move(mesh);
         }
         if (poor.positions.empty()) break;
-        size_m = shorter_at(size_m, poor.positions);
+        size_m = halved_at(size_m, poor.positions);
     }
     if (best.cell_types.empty())
         throw Error(ExitCode::bad_input, "section mesh", "gmsh finds no mesh in the outline",

@@ -12,11 +12,6 @@ namespace {
 /// Maximum turn of a cell along an edge: two quadratic sides per quarter turn have an error of 5e-5.
 constexpr double max_turn_rad = std::numbers::pi / 4;
 
-struct Seed {
-    PlanePoint position;
-    double size_m;
-};
-
 class Seeds {
 public:
     Seeds(const Outline& outline, const SizeRequest& request)
@@ -28,7 +23,7 @@ public:
                 add_corner(loop[(e + loop.size() - 1) % loop.size()], loop[e]);
             }
     }
-    std::vector<Seed> take() { return std::move(seeds_); }
+    std::vector<SizeSeed> take() { return std::move(seeds_); }
 
 private:
     void add(PlanePoint position, double size_m) {
@@ -123,17 +118,21 @@ private:
     const Outline& outline_;
     const SizeRequest& request_;
     std::vector<OutlinePiece> pieces_;
-    std::vector<Seed> seeds_;
+    std::vector<SizeSeed> seeds_;
 };
 
 }  // namespace
 
 std::function<double(PlanePoint)> cell_sizes(const Outline& outline, const SizeRequest& request) {
-    std::vector<Seed> sorted = Seeds{outline, request}.take();
-    std::ranges::stable_sort(sorted, {}, &Seed::size_m);
-    return [size_m = request.size_m, seeds = std::move(sorted)](PlanePoint position) {
-        double shortest_m = size_m;
-        for (const Seed& seed : seeds) {  // called a million times by gmsh: skip seeds that are too far or too large
+    return shorter_at([size_m = request.size_m](PlanePoint) { return size_m; }, Seeds{outline, request}.take());
+}
+
+std::function<double(PlanePoint)> shorter_at(std::function<double(PlanePoint)> size_m, std::vector<SizeSeed> seeds) {
+    std::ranges::stable_sort(seeds, {}, &SizeSeed::size_m);
+    return [size_m = std::move(size_m), seeds = std::move(seeds)](PlanePoint position) {
+        double shortest_m = size_m(position);
+        for (const SizeSeed& seed :
+             seeds) {  // called a million times by gmsh: skip seeds that are too far or too large
             const double reach_m = (shortest_m - seed.size_m) / size_growth;
             if (reach_m <= 0) break;
             const PlanePoint to = minus(position, seed.position);

@@ -20,6 +20,15 @@ struct SizeRequest {
     std::vector<std::string> fixed;  ///< fixed faces; the strain at their ends is singular as in a re-entrant corner
 };
 
+/// A position at which cells must be short.
+struct SizeSeed {
+    PlanePoint position;
+    double size_m;
+};
+/// `size_m`, but shorter around the seeds.
+[[nodiscard]] std::function<double(PlanePoint)> shorter_at(std::function<double(PlanePoint)> size_m,
+                                                           std::vector<SizeSeed> seeds);
+
 [[nodiscard]] std::function<double(PlanePoint)> cell_sizes(const Outline& outline, const SizeRequest& request);
 
 /// Estimated number of cells.

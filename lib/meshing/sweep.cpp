@@ -43,27 +43,18 @@ struct Circle {
     }
 };
 
-/// Planes from y = width down to 0: (x, z, -y) is right-handed, so the cells keep a positive orientation.
+/// Planes along z from 0 up, or along y from the width down to 0: (x, y, z) and (x, z, -y) are right-handed, so the cells keep a
+/// positive orientation.
 struct Straight {
     double width_m;
     int half_layers;
+    Extrusion::Along along;
 
     [[nodiscard]] bool is_fixed(const Point&) const { return false; }
     [[nodiscard]] int plane(const Point&, int plane) const { return plane; }
     [[nodiscard]] Point position(const Point& p, int plane) const {
+        if (along == Extrusion::Along::z) return {p[0], p[1], width_m * plane / half_layers};
         return {p[0], width_m * (half_layers - plane) / half_layers, p[1]};
-    }
-};
-
-/// Planes from z = 0 up to width: (x, y, z) is right-handed.
-struct Upright {
-    double width_m;
-    int half_layers;
-
-    [[nodiscard]] bool is_fixed(const Point&) const { return false; }
-    [[nodiscard]] int plane(const Point&, int plane) const { return plane; }
-    [[nodiscard]] Point position(const Point& p, int plane) const {
-        return {p[0], p[1], width_m * plane / half_layers};
     }
 };
 
@@ -90,15 +81,10 @@ mesh::Mesh revolve(const mesh::Mesh& section, Turn turn, int sectors_per_quarter
 }
 
 mesh::Mesh extrude(const mesh::Mesh& section, const Extrusion& extrusion) {
-    if (extrusion.along == Extrusion::Along::z) {
-        Sweep sweep{section, Upright{extrusion.width_m, 2 * extrusion.layers}, extrusion.layers};
-        for (const std::string& name : extrusion.low_faces) sweep.name_first(name);
-        for (const std::string& name : extrusion.high_faces) sweep.name_last(name);
-        return sweep.take();
-    }
-    Sweep sweep{section, Straight{extrusion.width_m, 2 * extrusion.layers}, extrusion.layers};
-    for (const std::string& name : extrusion.high_faces) sweep.name_first(name);
-    for (const std::string& name : extrusion.low_faces) sweep.name_last(name);
+    const bool upward = extrusion.along == Extrusion::Along::z;
+    Sweep sweep{section, Straight{extrusion.width_m, 2 * extrusion.layers, extrusion.along}, extrusion.layers};
+    for (const std::string& name : upward ? extrusion.low_faces : extrusion.high_faces) sweep.name_first(name);
+    for (const std::string& name : upward ? extrusion.high_faces : extrusion.low_faces) sweep.name_last(name);
     return sweep.take();
 }
 
