@@ -29,15 +29,9 @@ std::string field_names() {
 }
 
 core::Dimension dimension_of(post::Quantity quantity) {
-    switch (quantity) {
-        case post::Quantity::von_mises:
-        case post::Quantity::pressure:
-        case post::Quantity::energy: return core::Dimension::pressure;  // J/m^3 = Pa
-        case post::Quantity::displacement: return core::Dimension::length;
-        case post::Quantity::stretch:
-        case post::Quantity::jacobian: break;
-    }
-    return core::Dimension::ratio;
+    const std::string_view unit = post::info(quantity).unit;
+    if (unit.empty()) return core::Dimension::ratio;
+    return core::dimension_of(unit).value_or(core::Dimension::pressure);  // kJ/m^3 = kPa
 }
 
 std::optional<view::Range> range_of(const PictureOptions& options, post::Quantity quantity) {
