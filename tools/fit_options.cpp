@@ -23,8 +23,6 @@ struct Words {
     bool offset = false, any_order = false;
 };
 
-std::vector<Library> libraries() { return {{"Ceres", built_with::ceres}}; }
-
 std::vector<std::string> law_names() {
     std::vector<std::string> names;
     for (const fit::Candidate& candidate : fit::candidates()) names.emplace_back(candidate.name);
@@ -231,7 +229,9 @@ const About& fit_about() {
               "Displacement and force data of a testing machine"},
              {"fit-material --uniaxial ut.csv --equibiaxial et.csv --planar ps.csv --rank",
               "Fits all laws to three modes together, best first"}},
-        .libraries = libraries};
+        .libraries = [] {
+            return std::vector<Library>{{"Ceres", built_with::ceres}};
+        }};
     return about;
 }
 

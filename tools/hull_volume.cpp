@@ -16,13 +16,13 @@ namespace {
 
 using namespace soft;
 
-std::vector<cli::Library> libraries() { return {{"CGAL", cli::built_with::cgal}}; }
-
 const cli::About about{.tool = "hull-volume",
                        .summary = "computes the volume of the convex hull of points (CSV)",
                        .examples = {{"hull-volume workspace.csv", "Convex hull of the columns x_mm, y_mm and z_mm"},
                                     {"hull-volume points.csv --json -", "Number of points and volume in SI units"}},
-                       .libraries = libraries};
+                       .libraries = [] {
+                           return std::vector<cli::Library>{{"CGAL", cli::built_with::cgal}};
+                       }};
 
 struct HullOptions {
     cli::CommonOptions common;

@@ -12,11 +12,6 @@
 namespace soft::cli {
 namespace {
 
-std::vector<Library> libraries() {
-    using namespace built_with;
-    return {{"gmsh", gmsh}, {"CGAL", cgal}, {"HDF5", hdf5}, {"yaml-cpp", yaml_cpp}};
-}
-
 const About about{
     .tool = "mesh-gen",
     .summary = "generates a case (HDF5: mesh, materials, supports, loads) from a parametric design (YAML)",
@@ -24,7 +19,12 @@ const About about{
                   "Complete pipeline from design to curve"},
                  {"mesh-gen --template tube | mesh-gen - --set geometry.cap=6mm -o tube.h5",
                   "Takes a template, changes it and meshes it"}},
-    .libraries = libraries};
+    .libraries = [] {
+        return std::vector<Library>{{"gmsh", built_with::gmsh},
+                                    {"CGAL", built_with::cgal},
+                                    {"HDF5", built_with::hdf5},
+                                    {"yaml-cpp", built_with::yaml_cpp}};
+    }};
 
 std::vector<std::string> family_names() {
     std::vector<std::string> names;

@@ -13,7 +13,6 @@
 #include "postprocess_checks.hpp"
 #include "postprocess_options.hpp"
 #include "postprocess_plot.hpp"
-#include "postprocess_report.hpp"
 #include "postprocess_summary.hpp"
 
 namespace soft {

@@ -10,8 +10,6 @@
 namespace soft {
 namespace {
 
-std::vector<cli::Library> libraries() { return {{"HDF5", cli::built_with::hdf5}}; }
-
 /// One value per option: otherwise CLI11 would take the positional input as a further value.
 CLI::Option* repeatable(CLI::Option* option) { return option->allow_extra_args(false)->take_all(); }
 
@@ -130,7 +128,10 @@ const cli::About& postprocess_about() {
                                                 "The whole curve as CSV, and a plot of it"},
                                                {"postprocess bellows.h5 --at pressure=10kPa,20kPa --at elongation=40mm",
                                                 "The state at two pressures and at one elongation"}},
-                                  .libraries = libraries,
+                                  .libraries =
+                                      [] {
+                                          return std::vector<cli::Library>{{"HDF5", cli::built_with::hdf5}};
+                                      },
                                   .exit_codes = {{ExitCode::check_failed, "--check or --max-error failed"}}};
     return about;
 }

@@ -18,21 +18,22 @@ namespace fs = std::filesystem;
 class Exporter {
 public:
     explicit Exporter(const PictureInput& shown)
-        : shown_(shown), places_(post::make_region_points(shown.result.model.mesh)) {}
+        : shown_(shown), region_points_(post::make_region_points(shown.result.model.mesh)) {}
 
     void vtu(std::int64_t row, const fs::path& file) const {
         const Step step(*this, row);
-        cli::write_output(file.string(), view::vtu_text(model().mesh, places_,
-                                                        post::node_arrays(model(), places_, step.state, step.fields),
-                                                        post::state_arrays(model(), step.fields.cells)));
+        cli::write_output(file.string(),
+                          view::vtu_text(model().mesh, region_points_,
+                                         post::node_arrays(model(), region_points_, step.state, step.fields),
+                                         post::state_arrays(model(), step.fields.cells)));
     }
 
     /// The mesh in the copy has one value per point, so points on material interfaces get the mean of both sides.
     void copy(std::int64_t row, const fs::path& file) const {
         const Step step(*this, row);
-        const auto bytes = io::with_vtk_fields(shown_.image, "the result",
-                                               post::mesh_point_arrays(model(), places_, step.state, step.fields),
-                                               post::state_arrays(model(), step.fields.cells));
+        const auto bytes = io::with_vtk_fields(
+            shown_.image, "the result", post::mesh_point_arrays(model(), region_points_, step.state, step.fields),
+            post::state_arrays(model(), step.fields.cells));
         cli::write_output(file.string(), bytes, cli::Content::binary);
     }
 
@@ -93,7 +94,7 @@ private:
         Step(const Exporter& exporter, std::int64_t row)
             : values(stored_fields(exporter.shown_.result, row)),
               state{values.displacement_m, values.pressure_Pa},
-              fields(post::step_fields(exporter.model(), exporter.places_, state)) {}
+              fields(post::step_fields(exporter.model(), exporter.region_points_, state)) {}
         Step(const Step&) = delete;  // `state` refers to `values`
         Step& operator=(const Step&) = delete;
     };
@@ -101,7 +102,7 @@ private:
     [[nodiscard]] const model::Case& model() const { return shown_.result.model; }
 
     const PictureInput& shown_;
-    post::RegionPoints places_;
+    post::RegionPoints region_points_;
 };
 
 }  // namespace

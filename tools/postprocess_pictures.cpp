@@ -29,15 +29,9 @@ std::string field_names() {
 }
 
 core::Dimension dimension_of(post::Quantity quantity) {
-    switch (quantity) {
-        case post::Quantity::von_mises:
-        case post::Quantity::pressure:
-        case post::Quantity::energy: return core::Dimension::pressure;  // J/m^3 = Pa
-        case post::Quantity::displacement: return core::Dimension::length;
-        case post::Quantity::stretch:
-        case post::Quantity::jacobian: break;
-    }
-    return core::Dimension::ratio;
+    const std::string_view unit = post::info(quantity).unit;
+    if (unit.empty()) return core::Dimension::ratio;
+    return core::dimension_of(unit).value_or(core::Dimension::pressure);  // kJ/m^3 = kPa
 }
 
 std::optional<view::Range> range_of(const PictureOptions& options, post::Quantity quantity) {
@@ -66,13 +60,13 @@ std::string default_view(const model::Case& model) {
     return "iso";
 }
 
-view::PictureStyle look_of(const PictureOptions& options, const model::Case& model) {
-    view::PictureStyle look;
-    look.quantity = post::quantity_from_name(options.field);
+view::PictureStyle style_of(const PictureOptions& options, const model::Case& model) {
+    view::PictureStyle style;
+    style.quantity = post::quantity_from_name(options.field);
     const bool flat = options.section || model.kinematics == model::Kinematics::plane_strain;
-    look.camera = view::camera_from_text(!options.view.empty() ? options.view : flat ? "front" : default_view(model));
-    look.range = range_of(options, look.quantity);
-    return look;
+    style.camera = view::camera_from_text(!options.view.empty() ? options.view : flat ? "front" : default_view(model));
+    style.range = range_of(options, style.quantity);
+    return style;
 }
 
 view::SkinOptions skin_options(const PictureOptions& options) {
@@ -160,20 +154,20 @@ class PictureRenderer {
 public:
     PictureRenderer(const PictureOptions& options, const PictureInput& shown)
         : shown_(shown),
-          look_(look_of(options, shown.result.model)),
-          places_(post::make_region_points(shown.result.model.mesh)),
-          skin_(view::make_skin(shown.result.model, places_, skin_options(options))),
-          body_{skin_, view::base_positions(skin_, shown.result.model, places_, {})} {}
+          style_(style_of(options, shown.result.model)),
+          region_points_(post::make_region_points(shown.result.model.mesh)),
+          skin_(view::make_skin(shown.result.model, region_points_, skin_options(options))),
+          body_{skin_, view::base_positions(skin_, shown.result.model, region_points_, {})} {}
 
     [[nodiscard]] std::size_t polygons() const { return skin_.faces.size(); }
 
     [[nodiscard]] view::Shot shot(const io::FieldReader::Values& values, std::span<const std::string> words) const {
         const model::Case& model = shown_.result.model;
         const post::NodalState state{values.displacement_m, values.pressure_Pa};
-        const auto nodal =
-            post::nodal_values(look_.quantity, model, places_, state, post::step_fields(model, places_, state));
-        return {view::base_positions(skin_, model, places_, values.displacement_m), view::base_values(skin_, nodal),
-                title_of(shown_, words)};
+        const auto nodal = post::nodal_values(style_.quantity, model, region_points_, state,
+                                              post::step_fields(model, region_points_, state));
+        return {view::base_positions(skin_, model, region_points_, values.displacement_m),
+                view::base_values(skin_, nodal), title_of(shown_, words)};
     }
     [[nodiscard]] view::Shot shot(std::int64_t row) const {
         return shot(stored_fields(shown_.result, row), state_words(shown_.curve, static_cast<std::size_t>(row)));
@@ -210,7 +204,7 @@ public:
 
     void draw(std::int64_t row, const fs::path& file) const {
         const view::Shot one = shot(row);
-        view::draw_picture(body_, look_, view::framing(body_, look_, {&one, 1}), one, file);
+        view::draw_picture(body_, style_, view::framing(body_, style_, {&one, 1}), one, file);
     }
 
     /// Writes a film with evenly spaced frames, or a folder with a picture of each stored step.
@@ -223,12 +217,12 @@ public:
         } else {
             for (const std::int64_t row : shown_.result.fields.steps()) shots.push_back(shot(row));
         }
-        view::PictureStyle look = look_;
+        view::PictureStyle style = style_;
         if (view::film_format(file) != view::FilmFormat::folder) {
-            look.width_px = film_width_px;
-            look.height_px = film_height_px;
+            style.width_px = film_width_px;
+            style.height_px = film_height_px;
         }
-        const std::size_t removed = view::draw_animation(body_, look, shots, file, [&](std::size_t done) {
+        const std::size_t removed = view::draw_animation(body_, style, shots, file, [&](std::size_t done) {
             console.progress(static_cast<double>(done) / static_cast<double>(shots.size()), "frames");
         });
         console.say(file.string() + ": " + core::counted(shots.size(), is_film ? "frame" : "step") +
@@ -237,8 +231,8 @@ public:
 
 private:
     const PictureInput& shown_;
-    view::PictureStyle look_;
-    post::RegionPoints places_;
+    view::PictureStyle style_;
+    post::RegionPoints region_points_;
     view::Skin skin_;
     view::Body body_;
 };
@@ -249,12 +243,12 @@ std::int64_t nearest_stored(const std::vector<std::int64_t>& stored, double step
                                      [&](std::int64_t row) { return std::abs(static_cast<double>(row) - step); });
 }
 
-void draw_pictures(const std::string& name, const PictureRenderer& studio, const PictureInput& shown,
+void draw_pictures(const std::string& name, const PictureRenderer& renderer, const PictureInput& shown,
                    cli::Console& console) {
     const auto rows = shown_rows(shown);
     for (std::size_t k = 0; k < rows.size(); ++k) {
         const fs::path file = numbered(name, k, rows.size());
-        studio.draw(rows[k], file);
+        renderer.draw(rows[k], file);
         console.say(file.string() + ": " + state_text(shown.curve, rows[k]));
     }
 }
@@ -358,11 +352,11 @@ void make_pictures(const PictureOptions& options, const PictureInput& shown, cli
     if (!options.animate.empty()) view::prepare_animation(options.animate);
     if (!options.paraview.empty()) write_paraview(options.paraview, shown, console);
     if (options.picture.empty() && options.animate.empty()) return;
-    const PictureRenderer studio(options, shown);
-    console.detail("the surface has " + std::to_string(studio.polygons()) + " polygons");
-    if (!options.picture.empty()) draw_pictures(options.picture, studio, shown, console);
+    const PictureRenderer renderer(options, shown);
+    console.detail("the surface has " + std::to_string(renderer.polygons()) + " polygons");
+    if (!options.picture.empty()) draw_pictures(options.picture, renderer, shown, console);
     if (options.animate.empty()) return;
-    studio.animate(options.animate, console);
+    renderer.animate(options.animate, console);
 }
 
 }  // namespace soft

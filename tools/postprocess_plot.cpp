@@ -6,7 +6,6 @@
 #include "cli.hpp"
 #include "geometry/build.hpp"
 #include "post/band.hpp"
-#include "postprocess_checks.hpp"
 
 namespace soft {
 namespace {
@@ -46,6 +45,19 @@ void draw_plot(const PlotOptions& options, std::span<const post::PlotSeries> ser
     if (options.file.empty()) return;
     post::draw_plot(series, measured, {series.size() == 1 ? title : "", options.x, options.y, options.colour},
                     options.file);
+}
+
+void write_report(const PostprocessOptions& options, view::Content content,
+                  const std::optional<Comparison>& comparison) {
+    if (options.report.empty()) return;
+    if (comparison) {
+        content.measured = &comparison->measured;
+        content.errors = comparison->errors;
+    }
+    content.plot = {content.series.size() == 1 ? content.result.model.name : "", options.plot.x, options.plot.y,
+                    options.plot.colour};
+    content.made_by = cli::stamp(postprocess_about(), options.common);
+    cli::write_output(options.report, view::make_report(content));
 }
 
 }  // namespace soft

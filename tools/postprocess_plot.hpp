@@ -1,10 +1,13 @@
 #pragma once
-/// --plot: the curves of the result and of other results, and measured points. Tested by tests/pipeline/checks.sh.
+/// --plot and --report: the curves of the result and of other results, measured points, and the HTML report. Tested by
+/// tests/pipeline (checks.sh, reports.sh).
 #include "io/result_file.hpp"
 #include "post/curve.hpp"
 #include "post/measured.hpp"
 #include "post/plot.hpp"
+#include "postprocess_checks.hpp"
 #include "postprocess_options.hpp"
+#include "view/report.hpp"
 
 namespace soft {
 
@@ -15,5 +18,9 @@ namespace soft {
 /// Does nothing without --plot. `measured` may be nullptr.
 void draw_plot(const PlotOptions& options, std::span<const post::PlotSeries> series, const post::Measured* measured,
                const std::string& title);
+
+/// Does nothing without --report. Adds the comparison and the plot settings to `content`.
+void write_report(const PostprocessOptions& options, view::Content content,
+                  const std::optional<Comparison>& comparison);
 
 }  // namespace soft

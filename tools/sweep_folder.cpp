@@ -34,10 +34,10 @@ bool is_present(const fs::path& file) {
 
 constexpr std::size_t max_status = std::size_t{1} << 20;  // bytes; a few lines are usual
 
-/// The folder of a design inside that of the sweep; a valid address cannot point outside.
+/// The folder of a design inside that of the sweep; a valid ID cannot point outside.
 fs::path folder_of(const fs::path& folder, const sweep::PlannedDesign& design) {
     if (!sweep::is_design_id(design.id))
-        throw Error(ExitCode::internal, core::quoted(design.id), "is not a valid design address");
+        throw Error(ExitCode::internal, core::quoted(design.id), "is not a valid design ID");
     return folder / design.id;
 }
 

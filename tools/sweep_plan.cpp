@@ -23,18 +23,18 @@ namespace {
 using namespace soft;
 namespace fs = std::filesystem;
 
-std::vector<cli::Library> libraries() {
-    using namespace cli::built_with;
-    return {{"gmsh", gmsh}, {"HDF5", hdf5}, {"yaml-cpp", yaml_cpp}};
-}
-
 const cli::About about{
     .tool = "sweep-plan",
     .summary = "lists the designs of a sweep (YAML), one row each (CSV); with --results their results",
     .examples = {{"sweep-plan designs/sweeps/tube.yaml", "Lists the designs with their values and IDs"},
                  {"sweep-plan designs/sweeps/tube.yaml --folder results/sweeps/tube -o plan.csv",
                   "Also marks those that scripts/sweep has computed in this folder"}},
-    .libraries = libraries,
+    .libraries =
+        [] {
+            return std::vector<cli::Library>{{"gmsh", cli::built_with::gmsh},
+                                             {"HDF5", cli::built_with::hdf5},
+                                             {"yaml-cpp", cli::built_with::yaml_cpp}};
+        },
     .exit_codes = {{ExitCode::stopped_early,
                     "--results: some designs are not computed, or failed for a reason outside the design (killed, disk "
                     "full)"}}};

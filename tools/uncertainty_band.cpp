@@ -28,15 +28,15 @@ namespace fs = std::filesystem;
 
 constexpr long max_samples = 10000;
 
-std::vector<cli::Library> libraries() { return {{"HDF5", cli::built_with::hdf5}}; }
-
 const cli::About about{
     .tool = "uncertainty-band",
     .summary = "propagates the errors of fitted constants to an uncertainty band of the curve (CSV)",
     .examples = {{"uncertainty-band fit.json --samples 40", "Prints the materials to solve with, one per line"},
                  {"uncertainty-band fit.json --samples 40 --runs runs --at elongation=20mm > band.csv",
                   "Computes the band from runs/run-00000.h5 ..., in the order of the materials"}},
-    .libraries = libraries};
+    .libraries = [] {
+        return std::vector<cli::Library>{{"HDF5", cli::built_with::hdf5}};
+    }};
 
 struct UncertaintyOptions {
     cli::CommonOptions common;

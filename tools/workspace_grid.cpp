@@ -32,11 +32,6 @@ using namespace soft;
 constexpr double max_points = 5000;  // stages of one path
 constexpr std::array axes{"x", "y", "z"};
 
-std::vector<cli::Library> libraries() {
-    using namespace cli::built_with;
-    return {{"CGAL", cgal}, {"HDF5", hdf5}, {"yaml-cpp", yaml_cpp}};
-}
-
 const cli::About about{
     .tool = "workspace-grid",
     .summary = "writes a grid of chamber pressures as one path, or the points that its result reaches (CSV)",
@@ -44,7 +39,10 @@ const cli::About about{
                   "Writes a design whose path passes through 3 x 3 combinations"},
                  {"workspace-grid --results result.h5 --plot reach.svg > workspace.csv",
                   "Prints the points reached, also of an unfinished path"}},
-    .libraries = libraries};
+    .libraries = [] {
+        return std::vector<cli::Library>{
+            {"CGAL", cli::built_with::cgal}, {"HDF5", cli::built_with::hdf5}, {"yaml-cpp", cli::built_with::yaml_cpp}};
+    }};
 
 struct GridOptions {
     cli::CommonOptions common;

@@ -8,9 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -20,21 +18,6 @@ extern char** environ;  // POSIX leaves the declaration to the program
 
 namespace soft::core {
 namespace {
-
-struct CloseFile {
-    void operator()(std::FILE* stream) const noexcept { std::fclose(stream); }
-};
-using Stream = std::unique_ptr<std::FILE, CloseFile>;
-
-/// An unnamed file that is deleted when closed. The child reads its input from one and writes its errors to another. Unlike
-/// pipes they cannot fill up, and a child that exits early raises no SIGPIPE in this process.
-Stream temporary_file(std::string_view location) {
-    Stream stream{std::tmpfile()};
-    if (!stream)
-        throw Error(ExitCode::cannot_create, location,
-                    std::string("cannot create a temporary file: ") + std::strerror(errno));
-    return stream;
-}
 
 /// The list of redirections of posix_spawn (RAII).
 struct Redirections {
@@ -78,6 +61,8 @@ struct RunningProgram {
     Stream errors;
 };
 
+/// The program reads its input from a file and writes its errors to another. Unlike pipes they cannot fill up, and a program that ends
+/// early raises no SIGPIPE in this process.
 RunningProgram start_program(const ProgramCall& call, int output, std::string_view location) {
     const Stream input = temporary_file(location);
     Stream errors = temporary_file(location);
@@ -144,6 +129,14 @@ private:
 };
 
 }  // namespace
+
+Stream temporary_file(std::string_view location) {
+    Stream stream{std::tmpfile()};
+    if (!stream)
+        throw Error(ExitCode::cannot_create, location,
+                    std::string("cannot create a temporary file: ") + std::strerror(errno));
+    return stream;
+}
 
 ProgramStatus run_program(const ProgramCall& call, std::string_view location) {
     return wait_for_program(start_program(call, call.output, location));

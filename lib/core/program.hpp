@@ -1,5 +1,7 @@
 #pragma once
 /// Runs another program without a shell: arguments and text in, bytes out. Tested by core/program_test.
+#include <cstdio>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -7,6 +9,14 @@
 #include "core/files.hpp"
 
 namespace soft::core {
+
+struct CloseFile {
+    void operator()(std::FILE* stream) const noexcept { std::fclose(stream); }
+};
+using Stream = std::unique_ptr<std::FILE, CloseFile>;
+
+/// An unnamed file that is deleted when closed. Throws Error(cannot_create, `location`).
+[[nodiscard]] Stream temporary_file(std::string_view location);
 
 struct ProgramCall {
     std::string name;                        ///< searched along PATH

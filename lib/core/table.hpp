@@ -23,9 +23,10 @@ enum class Decimal {
 
 enum class Layout {
     plain,  ///< the first line is the header or a row of numbers; every line has as many cells as the first
-    described  ///< lines of description may precede the header. The header is the last line with words in two or more cells and no
-    ///< number before the first row of two or more numbers. Every later line is data, so that a typing error
-    ///< in it is an error and not a description. Short lines are padded with empty cells.
+    /// Lines of description may precede the header. The header is the last line with words in two or more cells and no number before the
+    /// first row of two or more numbers. Every later line is data, so that a typing error in it is an error and not a description. Short
+    /// lines are padded with empty cells.
+    described
 };
 
 struct Format {

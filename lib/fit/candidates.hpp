@@ -19,8 +19,8 @@ struct Candidate {
     std::string_view name;  ///< argument of --law: "mooney-rivlin-5"
     std::string_view law;   ///< name of the law in a design: "mooney-rivlin"
     int linear = 1;         ///< number of constants in which the stress is linear
-    int shapes =
-        0;  ///< number of shape constants alpha (ogden), jm, locking_stretch, b (yeoh-5); each belongs to one of the last parts
+    /// Number of shape constants alpha (ogden), jm, locking_stretch, b (yeoh-5); each belongs to one of the last parts.
+    int shapes = 0;
 
     StableBy stable_by = StableBy::scan;
 

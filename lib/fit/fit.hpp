@@ -16,8 +16,9 @@
 namespace soft::fit {
 
 enum class Stability {
-    enforced,  ///< the free fit if it is stable in every mode up to the largest I1 of the data, else the best fit with
-               ///< signs that suffice for stability
+    /// The free fit if it is stable in every mode up to the largest I1 of the data, else the best fit with signs that suffice for
+    /// stability.
+    enforced,
     everywhere,  ///< the best fit with signs that suffice for stability at every stretch
     reported     ///< the free fit, stable or not
 };
@@ -40,8 +41,8 @@ inline constexpr double max_offset_Pa = 10e3;
 struct Constant {
     std::string name;  ///< "mu"; with several terms "mu 1", "mu 2", ...
     double value = 0;  ///< SI
-    double standard_error =
-        0;  ///< from the covariance; a lower bound because residuals along a curve are correlated; 0 at a bound
+    /// From the covariance; a lower bound because residuals along a curve are correlated; 0 at a bound.
+    double standard_error = 0;
     bool is_stress = true;
 };
 

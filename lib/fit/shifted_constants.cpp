@@ -15,8 +15,8 @@ namespace {
 
 constexpr double rounding = 1e-12;           // of a pivot, relative to the variance
 constexpr double symmetry_tolerance = 1e-9;  // relative to the two standard errors
-constexpr double zero_column =
-    1e-5;  // bound on the column below a zero pivot: larger than the square root of `rounding`
+// Bound on the column below a zero pivot: larger than the square root of `rounding`.
+constexpr double zero_column = 1e-5;
 
 [[noreturn]] void refuse_covariance(const std::string& problem) {
     throw Error(ExitCode::bad_input, "covariance", problem, "give the --json output of fit-material");

@@ -63,7 +63,7 @@ struct ReadSettings {
     std::optional<StrainMeasure> strain_measure = {};
     std::optional<StressMeasure> stress_measure = {};
     std::string strain_unit =
-        {};  ///< "1" or "%"; a title without a unit means a plain ratio. For a displacement "mm", ...
+        {};  ///< "1" or "%"; a title without a unit means a plain ratio; for a displacement "mm", ...
     std::string stress_unit = {};  ///< "MPa", for a force "N"; required here or in the title
     Specimen specimen = {};
     std::size_t skipped_rows = 0;

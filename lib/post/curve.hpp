@@ -51,9 +51,9 @@ struct Column {
     Source source = Source::other;
     std::size_t index = 0;       ///< index of the output, if the source is an output
     std::vector<double> values;  ///< one per row
-    std::vector<double>
-        slopes;  ///< derivative along the path, with an arbitrary positive scale per row that all columns
-                 ///< share; 0 in all coordinates of a row: unknown. Dependent columns: one per row, or empty
+    /// Derivative along the path, with an arbitrary positive scale per row that all columns share; 0 in all coordinates of a row: unknown.
+    /// Dependent columns: one per row, or empty.
+    std::vector<double> slopes;
 };
 
 /// Converts an SI value to the unit of the column. Round values stay round (30000 Pa is 30 kPa, 0.13 m is 130 mm).

@@ -11,8 +11,8 @@
 namespace soft::post {
 namespace {
 
-constexpr double small_share =
-    1e-3;  // of the largest value in the column: smaller values are treated as this large, see the header
+// Of the largest value in the column: smaller values are treated as this large, see the header.
+constexpr double small_share = 1e-3;
 constexpr std::size_t absent = static_cast<std::size_t>(-1);
 
 /// A column of the golden table and the matching column of the curve.

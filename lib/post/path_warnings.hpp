@@ -1,7 +1,6 @@
 #pragma once
 /// Warnings about a finished static path: material laws used outside their range, goals that the loads do not reach. One line per
-/// warning. Tested by post/path_warnings_test and
-/// Pipeline.MisleadingDesignsAreReported.
+/// warning. Tested by post/path_warnings_test and Pipeline.MisleadingDesignsAreReported.
 #include <optional>
 #include <span>
 #include <string>

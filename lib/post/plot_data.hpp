@@ -17,10 +17,10 @@ struct Blocks {
     std::string markers;                        ///< converged steps
     std::string band;                           ///< closed outline of the mesh error
     std::string constants;                      ///< band of the constants, outlines separated by an empty line
-    std::string constants_bars;        ///< bars of this band at the rows of its table, "x y xlow xhigh ylow yhigh"
-    std::string bars;                  ///< "x y xlow xhigh ylow yhigh" at the markers
-    std::string limits, bifurcations;  ///< "x y label"
-    std::vector<PlotLabel> labels;     ///< labels of limit points and bifurcations
+    std::string constants_bars;                 ///< "x y xlow xhigh ylow yhigh" at the rows of the table of this band
+    std::string bars;                           ///< "x y xlow xhigh ylow yhigh" at the markers
+    std::string limits, bifurcations;           ///< "x y label"
+    std::vector<PlotLabel> labels;              ///< labels of limit points and bifurcations
 };
 
 /// Markers are reduced to about `max_markers`.

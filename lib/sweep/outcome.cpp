@@ -138,15 +138,19 @@ post::Curve unsolved_curve(const model::Case& model) {
     return post::make_curve(model, {&step, 1});
 }
 
+void check_outputs(const Sweep& sweep, std::span<const std::string> known) {
+    for (const SourceText& output : sweep.outputs)
+        if (std::ranges::find(known, output.text) == known.end())
+            throw Error(ExitCode::bad_input, output.location + ": outputs",
+                        "no curve has a column " + core::quoted(output.text), core::did_you_mean(output.text, known));
+}
+
 void check_requests(const Sweep& sweep, const post::Curve& curve) {
     for (const SourceText& point : sweep.at)
         if (!is_named_point(point)) static_cast<void>(requests_of(point, curve));
     std::vector<std::string> known;
     for (const post::Column& column : curve.columns) known.push_back(column.name);
-    for (const SourceText& output : sweep.outputs)
-        if (std::ranges::find(known, output.text) == known.end())
-            throw Error(ExitCode::bad_input, output.location + ": outputs",
-                        "no curve has a column " + core::quoted(output.text), core::did_you_mean(output.text, known));
+    check_outputs(sweep, known);
 }
 
 }  // namespace soft::sweep

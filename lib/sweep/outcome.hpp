@@ -59,6 +59,10 @@ struct Outcome {
 /// A curve for a case that is not solved yet: one row of zeros with all possible columns.
 [[nodiscard]] post::Curve unsolved_curve(const model::Case& model);
 
+/// Checks that a curve has each requested output; `known` are the columns of all curves. Error(bad_input), with the location in the sweep
+/// file.
+void check_outputs(const Sweep& sweep, std::span<const std::string> known);
+
 /// Checks that curves with these columns have the requested points and outputs. Errors (bad_input, with the location in the sweep
 /// file) as in outputs_of and results_csv.
 void check_requests(const Sweep& sweep, const post::Curve& curve);

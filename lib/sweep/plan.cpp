@@ -14,8 +14,8 @@
 namespace soft::sweep {
 namespace {
 
-constexpr int significant_digits =
-    9;  // more than any tolerance, fewer than the digits in which logarithms agree on all machines
+// More than any tolerance, fewer than the digits in which logarithms agree on all machines.
+constexpr int significant_digits = 9;
 constexpr std::size_t id_length = 16;
 constexpr std::size_t max_file = std::size_t{4} << 30;  // bytes, the limit of a mesh file
 constexpr std::array file_keys{"geometry.file", "geometry.profile"};

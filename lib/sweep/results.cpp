@@ -78,25 +78,18 @@ std::string_view word(State state) {
     return "waiting";
 }
 
+/// Adds words that are not in the list yet.
+void add_new(std::vector<std::string>& list, const std::vector<std::string>& words) {
+    for (const std::string& word : words)
+        if (std::ranges::find(list, word) == list.end()) list.push_back(word);
+}
+
 /// Column names of all outcomes in order of first appearance; columns that only later designs have come last.
 std::vector<std::string> output_columns(std::span<const Outcome> outcomes) {
     std::vector<std::string> columns;
     for (const Outcome& outcome : outcomes)
-        for (const Cell& output : outcome.outputs)
-            if (std::ranges::find(columns, output.column) == columns.end()) columns.push_back(output.column);
+        for (const Cell& output : outcome.outputs) add_new(columns, {output.column});
     return columns;
-}
-
-void check_outputs(const Sweep& sweep, std::span<const Outcome> outcomes) {
-    std::vector<std::string> known;
-    for (const Outcome& outcome : outcomes)
-        for (const std::string& column : outcome.columns)
-            if (std::ranges::find(known, column) == known.end()) known.push_back(column);
-    if (known.empty()) return;
-    for (const SourceText& output : sweep.outputs)
-        if (std::ranges::find(known, output.text) == known.end())
-            throw Error(ExitCode::bad_input, output.location + ": outputs",
-                        "no curve has a column " + core::quoted(output.text), core::did_you_mean(output.text, known));
 }
 
 }  // namespace
@@ -121,7 +114,9 @@ std::string plan_csv(const Sweep& sweep, const Plan& plan, std::span<const State
 }
 
 std::string results_csv(const Sweep& sweep, const Plan& plan, std::span<const Outcome> outcomes) {
-    check_outputs(sweep, outcomes);
+    std::vector<std::string> known;
+    for (const Outcome& outcome : outcomes) add_new(known, outcome.columns);
+    if (!known.empty()) check_outputs(sweep, known);
     const FactorColumns factors{sweep, plan};
     const std::vector<std::string> columns = output_columns(outcomes);
     std::string text = "id" + factors.header();

@@ -14,26 +14,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::size_t draw_frames(const Body& body, const PictureStyle& look, std::span<const Shot> shots, const fs::path& folder,
-                        const Progress& progress) {
-    const Framing frame = framing(body, look, shots);
+std::size_t draw_frames(const Body& body, const PictureStyle& style, std::span<const Shot> shots,
+                        const fs::path& folder, const Progress& progress) {
+    const Framing frame = framing(body, style, shots);
     std::set<std::size_t> drawn;
     for (std::size_t k = 0; k < shots.size(); ++k) {
         progress(k);
-        draw_picture(body, look, frame, shots[k], folder / numbered_name(frame_numbering, k));
+        draw_picture(body, style, frame, shots[k], folder / numbered_name(frame_numbering, k));
         drawn.insert(k);
     }
     progress(shots.size());
     return remove_stale_files(folder, frame_numbering, drawn);
 }
 
-void draw_film(const Body& body, const PictureStyle& look, std::span<const Shot> shots, const fs::path& file,
+void draw_film(const Body& body, const PictureStyle& style, std::span<const Shot> shots, const fs::path& file,
                const Progress& progress) {
-    const Framing frame = framing(body, look, shots);
+    const Framing frame = framing(body, style, shots);
     std::string pictures;
     for (std::size_t k = 0; k < shots.size(); ++k) {
         progress(k);
-        const core::Bytes picture = picture_png(body, look, frame, shots[k], file.string());
+        const core::Bytes picture = picture_png(body, style, frame, shots[k], file.string());
         pictures.append(reinterpret_cast<const char*>(picture.data()), picture.size());
     }
     progress(shots.size());
@@ -63,13 +63,13 @@ void prepare_animation(const fs::path& file) {
     try_film(format, file.string());
 }
 
-std::size_t draw_animation(const Body& body, const PictureStyle& look, std::span<const Shot> shots,
+std::size_t draw_animation(const Body& body, const PictureStyle& style, std::span<const Shot> shots,
                            const fs::path& file, const Progress& progress) {
     if (film_format(file) == FilmFormat::folder) {
         make_folder(file, "--animate " + file.string());
-        return draw_frames(body, look, shots, file, progress);
+        return draw_frames(body, style, shots, file, progress);
     }
-    draw_film(body, look, shots, file, progress);
+    draw_film(body, style, shots, file, progress);
     return 0;
 }
 

@@ -22,7 +22,7 @@ using Progress = std::function<void(std::size_t)>;
 /// Writes FILE.gif or FILE.mp4 atomically, or FOLDER/frame-0000.png and so on. All frames share one framing.
 /// Returns the number of frames of an earlier, longer animation that were removed from the folder. Errors: as prepare_animation
 /// and draw_picture.
-std::size_t draw_animation(const Body& body, const PictureStyle& look, std::span<const Shot> shots,
+std::size_t draw_animation(const Body& body, const PictureStyle& style, std::span<const Shot> shots,
                            const std::filesystem::path& file, const Progress& progress);
 
 }  // namespace soft::view

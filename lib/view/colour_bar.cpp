@@ -26,15 +26,14 @@ std::string with_decimals(double value, int decimals, std::chars_format format) 
     return {buffer.data(), end};
 }
 
-/// The largest of 1, 2, 5 times a power of ten that does not exceed `max_step`.
+}  // namespace
+
 double round_step(double max_step) {
     const double decade = std::pow(10.0, std::floor(std::log10(max_step)));
     for (const double step : {5.0, 2.0})
         if (step * decade <= max_step) return step * decade;
     return decade;
 }
-
-}  // namespace
 
 std::vector<Tick> bar_ticks(double low, double high) {
     const double step = round_step((high - low) / 4 * (1 + 1e-9));  // 1e-9: (0.4 - 0) / 4 must give 0.1

@@ -12,6 +12,9 @@ struct Tick {
     std::string text;
 };
 
+/// The largest of 1, 2 or 5 times a power of ten that does not exceed `max_step`; also the length of a scale bar.
+[[nodiscard]] double round_step(double max_step);
+
 /// Multiples of 1, 2 or 5 times a power of ten from `low` to `high` (low < high): 4 to 9 of them. All texts have the
 /// same number of decimals, enough to distinguish neighbours.
 [[nodiscard]] std::vector<Tick> bar_ticks(double low, double high);

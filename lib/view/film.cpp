@@ -1,12 +1,9 @@
 #include "view/film.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -76,15 +73,9 @@ void check_end(const core::ProgramStatus& end, std::string_view location) {
     if (!end.succeeded) throw Error(ExitCode::cannot_create, location, "ffmpeg failed: " + last_line(end));
 }
 
-struct CloseFile {
-    void operator()(std::FILE* stream) const noexcept { std::fclose(stream); }
-};
-
 /// Uses an unnamed temporary file, because ffmpeg seeks in an MP4, which a pipe does not support.
 core::Bytes encode_to_temporary_file(core::ProgramCall call, std::string_view location) {
-    const std::unique_ptr<std::FILE, CloseFile> scratch{std::tmpfile()};  // unnamed: deleted when closed
-    if (!scratch)
-        throw Error(ExitCode::cannot_create, location, std::string("no temporary file: ") + std::strerror(errno));
+    const core::Stream scratch = core::temporary_file(location);
     call.output = ::fileno(scratch.get());
     const core::ProgramStatus end = core::run_program(call, location);
     check_end(end, location);

@@ -37,8 +37,8 @@ void enclose(Box2& box, const Skin& skin, const Screen& screen, std::span<const 
     }
 }
 
-Range range_of(const PictureStyle& look, std::span<const Shot> shots) {
-    if (look.range) return *look.range;
+Range range_of(const PictureStyle& style, std::span<const Shot> shots) {
+    if (style.range) return *style.range;
     Range range{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
     for (const Shot& shot : shots)
         for (const double value : shot.values) {
@@ -46,7 +46,7 @@ Range range_of(const PictureStyle& look, std::span<const Shot> shots) {
             range.high = std::max(range.high, value);
         }
     const double size = std::max(std::abs(range.low), std::abs(range.high));
-    const double least = std::max(1e-3 * post::info(look.quantity).SI_per_unit, 1e-4 * size);
+    const double least = std::max(1e-3 * post::info(style.quantity).SI_per_unit, 1e-4 * size);
     const double missing = least - (range.high - range.low);
     if (missing > 0) {
         range.low -= 0.5 * missing;
@@ -125,8 +125,8 @@ std::string palette_text() {
 
 }  // namespace
 
-Framing framing(const Body& body, const PictureStyle& look, std::span<const Shot> shots) {
-    Framing frame{.screen = screen_of(look.camera), .range = range_of(look, shots)};
+Framing framing(const Body& body, const PictureStyle& style, std::span<const Shot> shots) {
+    Framing frame{.screen = screen_of(style.camera), .range = range_of(style, shots)};
     Box2 box;
     enclose(box, body.skin, frame.screen, body.undeformed_bases_m);
     for (const Shot& shot : shots) enclose(box, body.skin, frame.screen, shot.bases_m);
@@ -135,10 +135,10 @@ Framing framing(const Body& body, const PictureStyle& look, std::span<const Shot
         frame.centre_m[i] = 0.5 * (box.low[i] + box.high[i]);
         size[i] = std::max(box.high[i] - box.low[i], std::numeric_limits<double>::min());
     }
-    const double width = look.width_px * (1 - left_margin - right_margin), margins = 1 - top_margin - bottom_margin;
+    const double width = style.width_px * (1 - left_margin - right_margin), margins = 1 - top_margin - bottom_margin;
     const double ideal = width * size[1] / size[0] / margins;  // height of the picture if the width sets the scale
-    const double height = std::clamp(ideal, 0.5 * look.height_px, 1.0 * look.height_px);
-    frame.width_px = look.width_px / 2 * 2;
+    const double height = std::clamp(ideal, 0.5 * style.height_px, 1.0 * style.height_px);
+    frame.width_px = style.width_px / 2 * 2;
     frame.height_px = static_cast<int>(height) / 2 * 2;
     frame.m_per_px = std::max(size[0] / width, size[1] / (frame.height_px * margins));
     return frame;
@@ -158,22 +158,15 @@ Raster paint(const Body& body, const Framing& frame, const Shot& shot) {
     return raster;
 }
 
-double scale_bar_m(double max_m) {
-    const double decade = std::pow(10.0, std::floor(std::log10(max_m)));
-    for (const double step : {5.0, 2.0})
-        if (step * decade <= max_m) return step * decade;
-    return decade;
-}
-
-std::string picture_script(const PictureStyle& look, const Framing& frame, const Shot& shot, const Raster& raster) {
-    const auto& info = post::info(look.quantity);
+std::string picture_script(const PictureStyle& style, const Framing& frame, const Shot& shot, const Raster& raster) {
+    const auto& info = post::info(style.quantity);
     const std::string w = std::to_string(frame.width_px), h = std::to_string(frame.height_px);
     const double font = frame.width_px / 64.0;
     // A letter is about 0.78 of the font size in points wide; long titles use a smaller font.
     const double title_font = std::min(
         font, 0.96 * frame.width_px / (0.78 * static_cast<double>(std::max<std::size_t>(shot.title.size(), 1))));
     const std::string label = std::string(info.label) + (info.unit.empty() ? "" : " (" + std::string(info.unit) + ")");
-    const double bar_m = scale_bar_m(0.25 * frame.width_px * frame.m_per_px), bar_px = bar_m / frame.m_per_px;
+    const double bar_m = round_step(0.25 * frame.width_px * frame.m_per_px), bar_px = bar_m / frame.m_per_px;
     const double x0 = left_margin * frame.width_px, y0 = 0.7 * font;
 
     std::string script =
@@ -204,14 +197,14 @@ std::string picture_script(const PictureStyle& look, const Framing& frame, const
     return script;
 }
 
-core::Bytes picture_png(const Body& body, const PictureStyle& look, const Framing& frame, const Shot& shot,
+core::Bytes picture_png(const Body& body, const PictureStyle& style, const Framing& frame, const Shot& shot,
                         std::string_view location) {
-    return post::gnuplot_bytes(picture_script(look, frame, shot, paint(body, frame, shot)), location);
+    return post::gnuplot_bytes(picture_script(style, frame, shot, paint(body, frame, shot)), location);
 }
 
-void draw_picture(const Body& body, const PictureStyle& look, const Framing& frame, const Shot& shot,
+void draw_picture(const Body& body, const PictureStyle& style, const Framing& frame, const Shot& shot,
                   const std::filesystem::path& file) {
-    post::run_gnuplot(picture_script(look, frame, shot, paint(body, frame, shot)), file);
+    post::run_gnuplot(picture_script(style, frame, shot, paint(body, frame, shot)), file);
 }
 
 }  // namespace soft::view

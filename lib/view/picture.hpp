@@ -53,26 +53,23 @@ struct Framing {
 
 /// The framing that contains all shots and the undeformed body. The colour range is that of the values, but at least a thousandth
 /// of the quantity's unit and 1e-4 of the largest value, so that a uniform field has one colour despite rounding.
-[[nodiscard]] Framing framing(const Body& body, const PictureStyle& look, std::span<const Shot> shots);
+[[nodiscard]] Framing framing(const Body& body, const PictureStyle& style, std::span<const Shot> shots);
 
 /// Renders the body without text. Each pixel of the frame is `oversampling` x `oversampling` pixels of the raster.
 inline constexpr int oversampling = 2;
 [[nodiscard]] Raster paint(const Body& body, const Framing& frame, const Shot& shot);
 
-/// Length of a scale bar: the largest of 1, 2 or 5 times a power of ten that does not exceed `max_m`.
-[[nodiscard]] double scale_bar_m(double max_m);
-
 /// The gnuplot script (including the bytes of the image) that writes the PNG to gnuplot's stdout.
-[[nodiscard]] std::string picture_script(const PictureStyle& look, const Framing& frame, const Shot& shot,
+[[nodiscard]] std::string picture_script(const PictureStyle& style, const Framing& frame, const Shot& shot,
                                          const Raster& raster);
 
 /// The PNG in memory. Errors: post::gnuplot_bytes.
-[[nodiscard]] core::Bytes picture_png(const Body& body, const PictureStyle& look, const Framing& frame,
+[[nodiscard]] core::Bytes picture_png(const Body& body, const PictureStyle& style, const Framing& frame,
                                       const Shot& shot, std::string_view location);
 
 /// Writes FILE.png (temporary name in the same folder, renamed when complete). Error(cannot_create) if gnuplot is missing or the
 /// file cannot be written.
-void draw_picture(const Body& body, const PictureStyle& look, const Framing& frame, const Shot& shot,
+void draw_picture(const Body& body, const PictureStyle& style, const Framing& frame, const Shot& shot,
                   const std::filesystem::path& file);
 
 }  // namespace soft::view

@@ -37,8 +37,8 @@ struct SkinOptions {
     int sectors = 72;                    ///< per full turn (at least 3)
 };
 
-using Face =
-    std::array<std::int32_t, 4>;  ///< vertices, counter-clockwise seen from outside; a triangle repeats its last
+/// Vertices, counter-clockwise seen from outside; a triangle repeats its last.
+using Face = std::array<std::int32_t, 4>;
 
 struct Skin {
     std::vector<std::int32_t> first_source;  ///< base b is the sum over sources first_source[b] .. first_source[b + 1]
@@ -51,9 +51,9 @@ struct Skin {
     std::vector<Vertex> vertices;
     std::vector<std::array<double, 9>> placements;  ///< row-major; rotations and reflections
     std::vector<Face> faces;
-    std::vector<std::array<std::int32_t, 2>>
-        creases;  ///< pairs of vertices: edges that are sharp in the undeformed body, boundaries of cuts and of
-                  ///< regions; also used for the undeformed outline
+    /// Pairs of vertices: edges that are sharp in the undeformed body, boundaries of cuts and of regions; also used for the undeformed
+    /// outline.
+    std::vector<std::array<std::int32_t, 2>> creases;
 
     [[nodiscard]] std::size_t base_count() const noexcept { return first_source.size() - 1; }
 };

@@ -49,7 +49,8 @@ install(CODE [[
     string(REPLACE "-" "\\-" help "${help}")
     string(REGEX REPLACE "\n([.'])" "\n\\\\&\\1" help "${help}")
     string(REGEX MATCH "^[^\n]*" summary "${help}")
-    file(WRITE "${prefix}/share/man/man1/soft-${script}.1" ".TH SOFT\\-${script} 1 \"\" \"soft\\-actuator\" \"User Commands\"\n"
+    string(TOUPPER "${script}" title)
+    file(WRITE "${prefix}/share/man/man1/soft-${script}.1" ".TH SOFT\\-${title} 1 \"\" \"soft\\-actuator\" \"User Commands\"\n"
          ".SH NAME\nsoft\\-${script} \\- ${summary}\n.SH DESCRIPTION\n.nf\n${help}.fi\n")
   endforeach()
 ]])

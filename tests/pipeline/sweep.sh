@@ -236,7 +236,7 @@ mkdir -p victim
 printf 'design: designs/rod.yaml\nvary: {name: ["ok", "a\\n../../../victim/evil,waiting,x"]}\n' >bad.yaml
 refuses 65 "sweep: bad.yaml:2:21: a control character in 'a[?]../../../victim/evil,waiting,x'; *" "$sweep bad.yaml"
 claim "nothing is written elsewhere" [ -z "$(ls -A victim)" ]
-refuses 64 "sweep-design: ../victim/evil is not a valid design address" "$sweep-design killed ../victim/evil"
+refuses 64 "sweep-design: ../victim/evil is not a valid design ID" "$sweep-design killed ../victim/evil"
 printf 'design: /dev/zero\nvary: {geometry.width: [8 mm]}\n' >bad.yaml
 refuses 66 "sweep: /dev/zero: is a device or a pipe; name a file" "$sweep bad.yaml"
 refuses 65 "sweep-plan: /dev/zero: *" 'sweep-plan one.yaml --programs /dev/zero'

@@ -157,6 +157,27 @@ TEST(Band, IsDrawnAlongTheAxisThatIsNotPrescribed) {
     EXPECT_NE(script({}).find("±1 standard deviation"), std::string::npos);
 }
 
+TEST(Band, IsRefusedOnACurveOfAnotherMaterial) {
+    const Curve fitted = sphere_of(1), plus = sphere_of(1.02), minus = sphere_of(0.98);
+    BandSum sum(fitted, parse_requests("growth=500mm", fitted));
+    sum.add_pair(&plus, &minus);
+    const auto draws = [&](double mu) {
+        const PlotSeries series{"", sphere_of(mu), {}, sum.band()};
+        return plot_script({&series, 1}, nullptr, {}, PictureFormat::svg);
+    };
+    EXPECT_NO_THROW((void)draws(1.03));  // within the error of another mesh
+    try {
+        (void)draws(1.5);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::bad_input);
+        EXPECT_EQ(
+            std::string(error.what()),
+            "--band: the table has pressure 0.0007554 kPa where the curve has 0.001133 kPa; give the table of a result "
+            "with the material of the fit");
+    }
+}
+
 TEST(Band, RejectsTablesWithoutABand) {
     EXPECT_EQ(
         refusal("pressure_kPa,growth_mm\n10,100\n"),

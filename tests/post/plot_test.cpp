@@ -68,6 +68,19 @@ TEST(PlotScript, DashesTheUnstablePartAndMarksTheLimitPoint) {
     EXPECT_EQ(count(script, "\"44.9 kPa\"\n"), 1u);
 }
 
+TEST(PlotScript, TheDashesBeginAtTheRowOfTheLimitPoint) {
+    const Curve curve = sphere_curve(25, 3);
+    const auto first_dash = [&](const model::PathEnd& end) {
+        const std::string script = script_of(curve, end), block = "$unstable1 << END\n";
+        return std::stod(script.substr(script.find(block) + block.size()));
+    };
+    const std::vector<double>& growth_mm = curve.find("growth")->values;
+    EXPECT_NEAR(first_dash(limit), growth_mm[10], 1e-9);
+    EXPECT_NEAR(first_dash(with_limit({.step = 9, .pressure_Pa = 0, .volume_m3 = {}, .outputs = {0}})), growth_mm[9], 1e-9);  // the last stable row
+    EXPECT_GT(first_dash({}), growth_mm[9]);  // no located row: between the two rows
+    EXPECT_LT(first_dash({}), growth_mm[10]);
+}
+
 TEST(PlotScript, MarksABifurcationWithItsPressure) {
     model::PathEnd end;
     end.bifurcations.resize(1);

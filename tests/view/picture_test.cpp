@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "picture_samples.hpp"
+#include "view/colour_bar.hpp"
 
 namespace soft::view {
 namespace {
@@ -27,11 +28,11 @@ std::pair<int, int> png_size(const std::filesystem::path& file) {
 }
 
 TEST(Picture, TheScaleBarHasARoundLengthThatFits) {
-    EXPECT_DOUBLE_EQ(scale_bar_m(0.0231), 0.02);
-    EXPECT_DOUBLE_EQ(scale_bar_m(0.0199), 0.01);
-    EXPECT_DOUBLE_EQ(scale_bar_m(0.5), 0.5);
-    EXPECT_DOUBLE_EQ(scale_bar_m(0.099), 0.05);
-    EXPECT_DOUBLE_EQ(scale_bar_m(9.0), 5.0);
+    EXPECT_DOUBLE_EQ(round_step(0.0231), 0.02);
+    EXPECT_DOUBLE_EQ(round_step(0.0199), 0.01);
+    EXPECT_DOUBLE_EQ(round_step(0.5), 0.5);
+    EXPECT_DOUBLE_EQ(round_step(0.099), 0.05);
+    EXPECT_DOUBLE_EQ(round_step(9.0), 5.0);
 }
 
 TEST(Picture, TheFrameContainsTheUndeformedAndEveryDeformedBody) {
