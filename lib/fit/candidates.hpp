@@ -21,7 +21,6 @@ struct Candidate {
     int linear = 1;         ///< number of constants in which the stress is linear
     int shapes =
         0;  ///< number of shape constants alpha (ogden), jm, locking_stretch, b (yeoh-5); each belongs to one of the last parts
-
     StableBy stable_by = StableBy::scan;
 
     /// The part P_j that shape k belongs to.
