@@ -27,8 +27,8 @@ struct Description {
 };
 
 /// Throws Error (bad_input) for an unknown law, a missing or unknown constant, a constant outside its range, inconsistent
-/// constants, and an initial shear modulus that is not positive; the location is the name of the parameter ("mu", "kappa", "law"). Throws it with the location "fibers" or "fibers.k1" for
-/// fibres that are outside their range or that the law does not support.
+/// constants, and an initial shear modulus that is not positive; the location is the name of the parameter ("mu", "kappa", "law").
+/// Throws it with the location "fibers" or "fibers.k1" for fibres that are outside their range or that the law does not support.
 [[nodiscard]] AnyRubber make_rubber(const Description& description);
 
 /// The incompressible rubber of a known law without these checks, for parts of a law such as c01 alone. Constants that are not given have
