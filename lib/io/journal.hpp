@@ -1,7 +1,7 @@
 #pragma once
 /// Encodes steps and checkpoints of a running `solve -o` as payloads of records after the HDF5 data (image.hpp).
-/// Layout: 64-bit integers and doubles, little endian, in the order of the tables in journal.cpp; the length of a list precedes its
-/// values. All doubles are finite. Tested by io/journal_test.
+/// Layout: the members in the order of the lists in journal.cpp, little endian. int: 4 bytes; bool: 1 byte; an optional value follows a
+/// bool; the length of a list (8 bytes) precedes its values. All doubles are finite. Tested by io/journal_test.
 #include <cstddef>
 #include <span>
 #include <string_view>

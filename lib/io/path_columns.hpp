@@ -63,19 +63,4 @@ void read_lists(const GroupReader& parent, const ListColumns& columns, std::vect
     }
 }
 
-template <class Row>
-void write_volumes(hid_t group, std::span<const Row> rows) {
-    if (rows.empty() || !rows[0].volume_m3) return;
-    write_column(group, {"cavity_volume", "m3", "enclosed by the cavities of the first load, whole actuator"},
-                 rows.size(), [&](std::size_t i) { return rows[i].volume_m3.value_or(0); });
-}
-
-template <class Row>
-bool read_volumes(const GroupReader& group, std::vector<Row>& rows) {
-    if (!group.has("cavity_volume")) return false;
-    const auto values = group.array<double>("cavity_volume", {extent(rows.size())});
-    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].volume_m3 = values[i];
-    return true;
-}
-
 }  // namespace soft::io

@@ -33,7 +33,9 @@ void write_points(hid_t group, std::span<const LimitPoint> points, const model::
                  [&](std::size_t i) { return static_cast<std::int64_t>(points[i].step); });
     write_column(group, {"pressure", load_units(model), "as /path/pressure"}, points.size(),
                  [&](std::size_t i) { return points[i].pressure_Pa; });
-    write_volumes(group, points);
+    if (!points.empty() && points[0].volume_m3)
+        write_column(group, {"cavity_volume", "m3", "as /path/cavity_volume"}, points.size(),
+                     [&](std::size_t i) { return *points[i].volume_m3; });
     write_lists(group, output_columns(model), points, &LimitPoint::outputs);
 }
 
@@ -48,7 +50,10 @@ std::vector<LimitPoint> read_points(const GroupReader& group, const model::Case&
         points[i].step = static_cast<int>(rows[i]);
         points[i].pressure_Pa = pressures[i];
     }
-    read_volumes(group, points);
+    if (group.has("cavity_volume")) {
+        const auto volumes = group.array<double>("cavity_volume", {extent(points.size())});
+        for (std::size_t i = 0; i < points.size(); ++i) points[i].volume_m3 = volumes[i];
+    }
     read_lists(group, output_columns(model), points, &LimitPoint::outputs);
     return points;
 }

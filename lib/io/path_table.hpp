@@ -1,6 +1,8 @@
 #pragma once
 /// The groups /path (rows of the equilibrium path as columns, and its end) and /modes. Internal to the module.
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "io/hdf5_read.hpp"
@@ -9,12 +11,18 @@
 
 namespace soft::io {
 
-/// Throws Error (internal) unless the step matches the case and has only finite values: its stage exists, it has one value per output
-/// (and per load and cavity if there are several), and it has a time and energies of motion exactly if the case is dynamic.
-void require_valid(const model::Step& step, const model::Case& model);
+/// A value of a row that is not valid, by its column in /path.
+struct RowProblem {
+    std::string column, text;
+};
+/// The first problem of a row: its values are finite and in their ranges, match the case (stage, lists per load, cavity and output, time
+/// in a dynamic case) and the row before it (nullptr: none).
+[[nodiscard]] std::optional<RowProblem> problem_of(const model::Step& step, const model::Step* before,
+                                                   const model::Case& model);
 
-/// Volumes are written if the first step has a volume.
+/// Columns whose value is missing in some row are not written.
 void write_steps(hid_t path, std::span<const model::Step> steps, const model::Case& model);
+/// Throws Error (bad_input) for a row with a problem.
 [[nodiscard]] std::vector<model::Step> read_steps(const GroupReader& path, const model::Case& model);
 
 /// `steps`: number of rows of the path, for checking limit points and bifurcations.

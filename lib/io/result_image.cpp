@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 
 #include "core/hash.hpp"
 #include "core/text.hpp"
 #include "io/case_check.hpp"
 #include "io/hdf5_read.hpp"
 #include "io/hdf5_write.hpp"
+#include "io/path_columns.hpp"
 #include "io/path_table.hpp"
 #include "io/provenance_io.hpp"
 #include "io/solve_parts.hpp"
@@ -20,11 +20,6 @@ GroupHandle open_group(hid_t parent, const char* name) {
     GroupHandle group{H5Gopen2(parent, name, H5P_DEFAULT)};
     if (!group) throw Error(ExitCode::internal, name, "the group does not exist");
     return group;
-}
-
-void require_finite(std::span<const double> values, std::string_view location) {
-    if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
-        throw Error(ExitCode::internal, location, "a converged step has a value that is not finite");
 }
 
 /// The case without its mesh, which is large and not needed here.
@@ -129,32 +124,28 @@ ResultImage ResultImage::resume(const SolveInput& given) {
 
 std::vector<std::byte> ResultImage::bytes() const { return memory_image(file_.get()); }
 
-void ResultImage::require_consistent(const model::Step& step, std::span<const double> displacement,
-                                     std::span<const double> pressure) const {
-    require_valid(step, solved_);
-    if (!steps_.empty() && step.volume_m3.has_value() != steps_[0].volume_m3.has_value())
-        throw Error(ExitCode::internal, "/path/cavity_volume", "some steps have a volume, some have none");
-    if (!steps_.empty() && step.pressure_error_Pa.has_value() != steps_[0].pressure_error_Pa.has_value())
-        throw Error(ExitCode::internal, "/path/pressure_error", "some steps have an error, some have none");
+void ResultImage::require_valid(const model::Step& step) const {
+    if (const auto problem = problem_of(step, steps_.empty() ? nullptr : &steps_.back(), solved_))
+        throw Error(ExitCode::internal, "/path/" + problem->column, problem->text);
+}
+
+void ResultImage::require_valid(std::span<const double> displacement, std::span<const double> pressure) const {
     if (displacement.size() != 3 * points_)
         throw Error(ExitCode::internal, "/fields/displacement", "a step does not have three values per point");
     if (!pressure.empty() && pressure.size() != points_)
         throw Error(ExitCode::internal, "/fields/pressure", "a step does not have one value per point");
     if (!steps_.empty() && has_pressure_ == pressure.empty())
         throw Error(ExitCode::internal, "/fields/pressure", "some steps have pressures, some have none");
-    require_finite(displacement, "/fields/displacement");
-    require_finite(pressure, "/fields/pressure");
+    if (!all_finite(displacement) || !all_finite(pressure))
+        throw Error(ExitCode::internal, "/fields", "a converged step has a value that is not finite");
 }
 
 void ResultImage::append(const model::Step& step, std::span<const double> displacement,
                          std::span<const double> pressure) {
     using Keep = FieldsPolicy::Keep;
-    if (policy_.keep == Keep::none) {
-        require_valid(step, solved_);
-    } else {
-        require_consistent(step, displacement, pressure);
-        if (steps_.empty()) has_pressure_ = !pressure.empty();
-    }
+    require_valid(step);
+    if (policy_.keep != Keep::none) require_valid(displacement, pressure);
+    if (steps_.empty()) has_pressure_ = !pressure.empty();
     const auto row = static_cast<std::int64_t>(steps_.size());
     steps_.push_back(step);
     if (policy_.keep == Keep::all || (policy_.keep == Keep::every && row % policy_.interval == 0)) {

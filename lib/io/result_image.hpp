@@ -32,8 +32,8 @@ public:
 private:
     ResultImage() = default;
     static ResultImage open(const SolveInput& given);
-    void require_consistent(const model::Step& step, std::span<const double> displacement,
-                            std::span<const double> pressure) const;
+    void require_valid(const model::Step& step) const;
+    void require_valid(std::span<const double> displacement, std::span<const double> pressure) const;
     void write_fields(std::int64_t row, std::span<const double> displacement, std::span<const double> pressure);
 
     FileHandle file_;
