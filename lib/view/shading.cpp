@@ -11,8 +11,6 @@ namespace {
 
 constexpr double smooth_cosine = 0.7071067811865476;  // 45 degrees, as for the creases
 
-double length(const Point& n) { return std::sqrt(dot(n, n)); }
-
 /// Faces at each vertex: those of vertex v are faces[first[v]] .. faces[first[v + 1] - 1].
 struct FacesAt {
     std::vector<std::size_t> first, faces;
@@ -37,7 +35,7 @@ Point lamp(const Screen& screen) {
     Point direction;
     for (std::size_t i = 0; i < 3; ++i)
         direction[i] = -0.25 * screen.right[i] + 0.45 * screen.up[i] + 0.85 * screen.eye[i];
-    const double size = length(direction);
+    const double size = norm(direction);
     for (double& component : direction) component /= size;
     return direction;
 }
@@ -57,10 +55,10 @@ std::vector<std::array<double, 4>> corner_light(std::span<const Face> faces, std
             Point sum{};
             for (std::size_t k = at.first[v]; k < at.first[v + 1]; ++k) {
                 const Point& n = normals[at.faces[k]];
-                if (dot(n, normals[f]) < smooth_cosine * length(n) * length(normals[f])) continue;
+                if (dot(n, normals[f]) < smooth_cosine * norm(n) * norm(normals[f])) continue;
                 for (std::size_t d = 0; d < 3; ++d) sum[d] += n[d];
             }
-            const double side = dot(sum, screen.eye) < 0 ? -1.0 : 1.0, size = length(sum);
+            const double side = dot(sum, screen.eye) < 0 ? -1.0 : 1.0, size = norm(sum);
             light[f][i] = size > 0 ? std::max(0.0, side * dot(sum, to_lamp) / size) : 1.0;
         }
     return light;
