@@ -26,8 +26,6 @@ Vector3 mean_of(const Points& points, const std::vector<double>& weights) {
     return mean;
 }
 
-Vector3 minus(const Vector3& a, const Vector3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-
 Vector3 across_of(const Vector3& p, const Vector3& d) {
     const double along = dot(p, d);
     return {p[0] - along * d[0], p[1] - along * d[1], p[2] - along * d[2]};
@@ -84,7 +82,7 @@ double rotation(const FaceShape& shape, const Points& x, Points* gradient) {
     const Vector3 mean_X = mean_of(shape.X, shape.weights), mean_x = mean_of(x, shape.weights);
     Tensor S{};
     for (std::size_t a = 0; a < x.size(); ++a) {
-        const Vector3 there = minus(shape.X[a], mean_X), here = minus(x[a], mean_x);
+        const Vector3 there = difference(shape.X[a], mean_X), here = difference(x[a], mean_x);
         for (std::size_t i = 0; i < 3; ++i)
             for (std::size_t j = 0; j < 3; ++j) S[3 * i + j] += shape.weights[a] * there[i] * here[j];
     }
@@ -112,7 +110,7 @@ double rotation(const FaceShape& shape, const Points& x, Points* gradient) {
         by_S[k] = form(y, horn(unit), q);
     }
     for (std::size_t a = 0; a < x.size(); ++a) {
-        const Vector3 there = minus(shape.X[a], mean_X);
+        const Vector3 there = difference(shape.X[a], mean_X);
         for (std::size_t j = 0; j < 3; ++j) {
             (*gradient)[a][j] = 0;
             for (std::size_t i = 0; i < 3; ++i) (*gradient)[a][j] += shape.weights[a] * there[i] * by_S[3 * i + j];
@@ -126,7 +124,7 @@ Vector3 longest_direction(const FaceShape& shape) {
     const Vector3 mean = mean_of(shape.X, shape.weights);
     Tensor moments{};
     for (std::size_t a = 0; a < shape.X.size(); ++a) {
-        const Vector3 p = across_of(minus(shape.X[a], mean), shape.direction);
+        const Vector3 p = across_of(difference(shape.X[a], mean), shape.direction);
         for (std::size_t i = 0; i < 3; ++i)
             for (std::size_t j = 0; j < 3; ++j) moments[3 * i + j] += shape.weights[a] * p[i] * p[j];
     }
@@ -149,7 +147,7 @@ double curvature(const FaceShape& shape, const Points& x, Points* gradient) {
     const Vector3 t = longest_direction(shape), mean = mean_of(x, shape.weights);
     std::vector<PlanePoint> points, by_points;
     for (const Vector3& position : x) {
-        const Vector3 p = minus(position, mean);
+        const Vector3 p = difference(position, mean);
         points.push_back({dot(p, axes[0]), dot(p, axes[1])});
     }
     std::vector<std::size_t> along(x.size());

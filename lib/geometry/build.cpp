@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "core/text.hpp"
-#include "fem/reference_cell.hpp"
 #include "geometry/case_warnings.hpp"
 #include "geometry/keys.hpp"
 #include "geometry/loading.hpp"
@@ -19,6 +18,7 @@
 #include "meshing/regions.hpp"
 #include "meshing/section_mesher.hpp"
 #include "model/cavity_surface.hpp"
+#include "model/formulation.hpp"
 #include "model/rubber.hpp"
 
 namespace soft::geometry {
@@ -134,7 +134,7 @@ model::Formulation formulation_of(const design::Values& values, const mesh::Mesh
     if (has_value(values, "mesh.formulation", "displacement")) formulation = model::Formulation::displacement;
     if (has_value(values, "mesh.formulation", "f-bar")) formulation = model::Formulation::f_bar;
     for (const mesh::CellType type : std::set(mesh.cell_types.begin(), mesh.cell_types.end()))
-        if (const std::string reason = fem::explain_incompatibility(type, formulation); !reason.empty())
+        if (const std::string reason = model::explain_incompatibility(type, formulation); !reason.empty())
             throw values.refuse("mesh.formulation", reason);
     return formulation;
 }

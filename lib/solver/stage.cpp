@@ -18,7 +18,7 @@ constexpr double rounding_margin = 10.0;
 /// Fraction of the largest force scale of the motion so far: a body in free flight has no forces.
 constexpr double vanishing_forces = 1e-3;
 
-double extent_m(const mesh::Mesh& mesh) {
+double diagonal_m(const mesh::Mesh& mesh) {
     mesh::Point low = mesh.point(0), high = low;
     for (const auto& point : mesh.points)
         for (std::size_t i = 0; i < 3; ++i) {
@@ -131,7 +131,7 @@ bool StageSolver::is_rounding(double residual_N, Vec x, const fem::LoadLevels& l
         probe_ = equations_.system().make_vector();
         fill_with_waves(probe_);
         SOFT_PETSC(VecPointwiseMult(probe_, equations_.mask(), probe_));
-        SOFT_PETSC(VecScale(probe_, linear_share * extent_m(equations_.system().input().mesh)));
+        SOFT_PETSC(VecScale(probe_, linear_share * diagonal_m(equations_.system().input().mesh)));
     }
     linalg::Vector moved = linalg::duplicate(x), difference = linalg::duplicate(x);
     SOFT_PETSC(VecZeroEntries(difference));
