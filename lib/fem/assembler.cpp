@@ -20,15 +20,15 @@ void add_scaled(Vec out, double factor, std::span<const PetscInt> dofs, std::vec
 }
 
 /// Reduces to the worst point and its cell, the same on every rank; ties go to the lower rank.
-void reduce(Evaluation& result, const Discretization& discretization) {
+void reduce(Evaluation& result, const Discretization& fe) {
     struct {
         double value;
         int rank;
-    } mine{result.min_jacobian, discretization.rank}, worst{};
-    MPI_Allreduce(&mine, &worst, 1, MPI_DOUBLE_INT, MPI_MINLOC, discretization.comm);
+    } mine{result.min_jacobian, fe.rank}, worst{};
+    MPI_Allreduce(&mine, &worst, 1, MPI_DOUBLE_INT, MPI_MINLOC, fe.comm);
     result.min_jacobian = worst.value;
-    MPI_Bcast(&result.worst_cell, 1, MPI_INT64_T, worst.rank, discretization.comm);
-    MPI_Allreduce(MPI_IN_PLACE, &result.force_scale, 1, MPI_DOUBLE, MPI_SUM, discretization.comm);
+    MPI_Bcast(&result.worst_cell, 1, MPI_INT64_T, worst.rank, fe.comm);
+    MPI_Allreduce(MPI_IN_PLACE, &result.force_scale, 1, MPI_DOUBLE, MPI_SUM, fe.comm);
     result.force_scale = std::sqrt(result.force_scale);
 }
 
@@ -50,8 +50,8 @@ Evaluation Assembler::evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, st
         tangent.emplace(K);
     }
     const Targets to{R, tangent ? &*tangent : nullptr, columns};
-    for (std::size_t group = 0; group < discretization_.groups.size(); ++group) add_cells(group, to, result);
-    reduce(result, discretization_);
+    for (std::size_t group = 0; group < fe_.groups.size(); ++group) add_cells(group, to, result);
+    reduce(result, fe_);
     for (std::size_t load = 0; load < loads_.pressures.size(); ++load) add_pressures(load, to);
     tangent.reset();
     linalg::assemble(R);
@@ -77,7 +77,7 @@ void Assembler::find_block_indices(Mat K) {
     indices_.groups.clear();
     indices_.pressures.clear();
     std::vector<std::span<const PetscInt>> blocks;
-    for (const auto& group : discretization_.groups) {
+    for (const auto& group : fe_.groups) {
         blocks.clear();
         for (std::size_t c = 0; c < group.cells.size(); ++c) blocks.push_back(group.dofs_of(c));
         indices_.groups.emplace_back(K, blocks);
@@ -90,16 +90,16 @@ void Assembler::find_block_indices(Mat K) {
 }
 
 void Assembler::add_cells(std::size_t index, const Targets& to, Evaluation& result) const {
-    const CellGroup& group = discretization_.groups[index];
+    const CellGroup& group = fe_.groups[index];
     const auto wanted = to.K != nullptr ? material::Wanted::stress_and_tangent : material::Wanted::stress;
     // All threads compute a batch of cells; one thread adds them in order, so that the sums do not depend on the number of threads.
-    const int threads = discretization_.input.solver.threads;
+    const int threads = fe_.input.solver.threads;
     const std::size_t batch = threads > 1 ? cells_per_thread * static_cast<std::size_t>(threads) : 1;
     std::vector<LocalCell> cells(batch, LocalCell(*group.reference));
     for (std::size_t begin = 0; begin < group.cells.size(); begin += batch) {
         const int count = static_cast<int>(std::min(batch, group.cells.size() - begin));
 #pragma omp parallel for num_threads(threads) schedule(static) if (threads > 1)
-        for (int i = 0; i < count; ++i) integrate(discretization_, state_, group, begin + i, wanted, cells[i]);
+        for (int i = 0; i < count; ++i) integrate(fe_, state_, group, begin + i, wanted, cells[i]);
         for (int i = 0; i < count; ++i) {
             const CellOutput& out = cells[i].out;
             const auto dofs = group.dofs_of(begin + i);
@@ -119,12 +119,12 @@ void Assembler::add_cells(std::size_t index, const Targets& to, Evaluation& resu
 
 double Assembler::velocity_of(PetscInt dof, const LoadLevels& rates) const {
     const int slot = motion_slot(dof);
-    return slot < 0 ? 0.0 : rates.motions[slot / 3] * discretization_.moved_by(dof);
+    return slot < 0 ? 0.0 : rates.motions[slot / 3] * fe_.moved_by(dof);
 }
 
 void Assembler::subtract_moved(const LoadColumn& column, std::span<const PetscInt> dofs,
                                std::span<const double> matrix) const {
-    if (discretization_.input.motions.empty()) return;
+    if (fe_.input.motions.empty()) return;
     std::vector<double> force;
     for (std::size_t j = 0; j < dofs.size(); ++j) {
         const double velocity = velocity_of(dofs[j], column.direction);
@@ -144,7 +144,7 @@ void Assembler::add_pressures(std::size_t load, const Targets& to) const {
         const SurfaceCell& facet = surface.facets[f];
         state_.positions(facet, x);
         stiffness.resize(surface.follows && to.K != nullptr && pressure != 0.0 ? x.size() * x.size() : 0);
-        pressure_force(discretization_, surface, facet, x, force, stiffness);
+        pressure_force(fe_, surface, facet, x, force, stiffness);
         add_scaled(to.R, -pressure, facet.dofs, force);
         for (const auto& column : to.columns)
             add_scaled(column.out, column.direction.pressures_Pa[load], facet.dofs, force);
@@ -153,7 +153,7 @@ void Assembler::add_pressures(std::size_t load, const Targets& to) const {
         to.K->add(indices_.pressures[load], f, stiffness);
         for (const auto& column : to.columns) subtract_moved(column, facet.dofs, stiffness);
     }
-    if (discretization_.rank != 0) return;  // every rank has the whole plug force
+    if (fe_.rank != 0) return;  // every rank has the whole plug force
     const auto& [dofs, values] = surface.plug_force;
     add_scaled(to.R, -pressure, dofs, values);
     for (const auto& column : to.columns) add_scaled(column.out, column.direction.pressures_Pa[load], dofs, values);
@@ -174,7 +174,7 @@ double Assembler::load_power(Vec x, Vec velocity, const LoadLevels& levels, cons
     const linalg::ScopedTimer timed(linalg::Phase::measures);
     state_.prescribe(levels);
     state_.read(x);
-    const linalg::Vector force = discretization_.make_vector();  // of the loads, with the sign of a residual
+    const linalg::Vector force = fe_.make_vector();  // of the loads, with the sign of a residual
     const Targets to{force, nullptr, {}};
     for (std::size_t load = 0; load < loads_.pressures.size(); ++load) add_pressures(load, to);
     linalg::assemble(force);
@@ -185,17 +185,17 @@ double Assembler::load_power(Vec x, Vec velocity, const LoadLevels& levels, cons
 double Assembler::motion_power(const LoadLevels& rates) const {
     double power = 0;
     const bool moving = std::ranges::any_of(rates.motions, [](double rate) { return rate != 0.0; });
-    for (std::size_t g = 0; g < discretization_.groups.size() && moving; ++g) {
-        const CellGroup& group = discretization_.groups[g];
+    for (std::size_t g = 0; g < fe_.groups.size() && moving; ++g) {
+        const CellGroup& group = fe_.groups[g];
         LocalCell cell(*group.reference);
         for (std::size_t c = 0; c < group.cells.size(); ++c) {
             const auto dofs = group.dofs_of(c);
             if (std::ranges::none_of(dofs, [](PetscInt dof) { return motion_slot(dof) >= 0; })) continue;
-            integrate(discretization_, state_, group, c, material::Wanted::stress, cell);
+            integrate(fe_, state_, group, c, material::Wanted::stress, cell);
             for (std::size_t k = 0; k < dofs.size(); ++k) power += cell.out.residual[k] * velocity_of(dofs[k], rates);
         }
     }
-    MPI_Allreduce(MPI_IN_PLACE, &power, 1, MPI_DOUBLE, MPI_SUM, discretization_.comm);
+    MPI_Allreduce(MPI_IN_PLACE, &power, 1, MPI_DOUBLE, MPI_SUM, fe_.comm);
     return power;
 }
 

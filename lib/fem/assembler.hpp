@@ -31,8 +31,8 @@ struct LoadColumn {
 class Assembler {
 public:
     /// All three must outlive this object.
-    Assembler(const Discretization& discretization, const Loads& loads, LocalState& state)
-        : discretization_(discretization), loads_(loads), state_(state) {}
+    Assembler(const Discretization& fe, const Loads& loads, LocalState& state)
+        : fe_(fe), loads_(loads), state_(state) {}
 
     /// Fills R and the columns, and with K also the tangent (required by columns that move a face). Prescribes the levels' motions.
     /// If the result is not admissible they are incomplete.
@@ -67,7 +67,7 @@ private:
     [[nodiscard]] double motion_power(const LoadLevels& rates) const;
     [[nodiscard]] double velocity_of(PetscInt dof, const LoadLevels& rates) const;
 
-    const Discretization& discretization_;
+    const Discretization& fe_;
     const Loads& loads_;
     LocalState& state_;
     MatrixIndices indices_;

@@ -7,9 +7,8 @@
 
 namespace soft::fem {
 
-CavityVolumes::CavityVolumes(const Discretization& discretization, LocalState& state)
-    : discretization_(discretization), state_(state) {
-    const model::Case& input = discretization.input;
+CavityVolumes::CavityVolumes(const Discretization& fe, LocalState& state) : fe_(fe), state_(state) {
+    const model::Case& input = fe.input;
     for (const auto& load : input.loads) {
         auto& indices = by_load_.emplace_back();
         for (const auto& target : load.targets) {  // the order of model::measured_cavities
@@ -17,8 +16,8 @@ CavityVolumes::CavityVolumes(const Discretization& discretization, LocalState& s
             if (found == input.cavities.end()) continue;
             indices.push_back(cavities_.size());
             const auto facets = model::cavity_facets(input, *found);
-            Cavity& cavity = cavities_.emplace_back(Cavity{own_facets(discretization, facets), {}});
-            if (input.mesh.dimension == 3 && discretization.rank == 0)
+            Cavity& cavity = cavities_.emplace_back(Cavity{own_facets(fe, facets), {}});
+            if (input.mesh.dimension == 3 && fe.rank == 0)
                 for (const auto& rim : model::rims(input, facets)) cavity.rims.push_back(make_rim(rim));
         }
     }
@@ -29,13 +28,13 @@ CavityVolumes::Rim CavityVolumes::make_rim(const std::vector<model::RimEdge>& ed
     std::set<mesh::Index> nodes;
     for (const auto& edge : edges) {
         const auto type = edge.size() == 3 ? mesh::CellType::line3 : mesh::CellType::line2;
-        rim.edges.push_back(make_surface_cell(discretization_, edge, &model::reference_facet(type)));
+        rim.edges.push_back(make_surface_cell(fe_, edge, &model::reference_facet(type)));
         nodes.insert(edge.begin(), edge.end());
     }
     rim.nodes = nodes.size();
     for (std::size_t i = 0; i < 3; ++i)  // nodes of a cut lie on its plane exactly
-        rim.on_plane[i] = discretization_.input.symmetry_planes[i] && std::ranges::any_of(nodes, [&](mesh::Index node) {
-                              return discretization_.input.mesh.point(node)[i] == 0.0;
+        rim.on_plane[i] = fe_.input.symmetry_planes[i] && std::ranges::any_of(nodes, [&](mesh::Index node) {
+                              return fe_.input.mesh.point(node)[i] == 0.0;
                           });
     return rim;
 }
@@ -50,7 +49,7 @@ double CavityVolumes::of_load(std::size_t load, Vec x, Vec gradient, std::span<d
 
 double CavityVolumes::sum(std::span<const std::size_t> cavities, Vec x, Vec gradient, std::span<double> by_motion) {
     const linalg::ScopedTimer timed(linalg::Phase::measures);
-    Slopes slopes(discretization_, gradient, by_motion);
+    Slopes slopes(fe_, gradient, by_motion);
     state_.read(x);
     double total = 0;
     for (const std::size_t index : cavities) {
@@ -58,9 +57,9 @@ double CavityVolumes::sum(std::span<const std::size_t> cavities, Vec x, Vec grad
         double volume = 0;
         add_wall(cavity, volume, slopes);
         for (const Rim& rim : cavity.rims) add_caps(rim, volume, slopes);
-        total += volume / discretization_.input.model_fraction;
+        total += volume / fe_.input.model_fraction;
     }
-    MPI_Allreduce(MPI_IN_PLACE, &total, 1, MPI_DOUBLE, MPI_SUM, discretization_.comm);
+    MPI_Allreduce(MPI_IN_PLACE, &total, 1, MPI_DOUBLE, MPI_SUM, fe_.comm);
     slopes.finish();
     return total;
 }
@@ -70,14 +69,14 @@ void CavityVolumes::add_wall(const Cavity& cavity, double& volume, Slopes& slope
     for (const auto& facet : cavity.facets) {
         state_.positions(facet, x);
         slope.assign(x.size(), 0.0);
-        volume += model::swept_volume(*facet.reference, discretization_.input.kinematics, x, slope);
-        for (double& s : slope) s /= discretization_.input.model_fraction;
+        volume += model::swept_volume(*facet.reference, fe_.input.kinematics, x, slope);
+        for (double& s : slope) s /= fe_.input.model_fraction;
         slopes.add(facet.dofs, slope);
     }
 }
 
 void CavityVolumes::add_caps(const Rim& rim, double& volume, Slopes& slopes) const {
-    const double fraction = discretization_.input.model_fraction, nodes = static_cast<double>(rim.nodes);
+    const double fraction = fe_.input.model_fraction, nodes = static_cast<double>(rim.nodes);
     std::vector<double> y, slope;
     Vector3 apex{}, apex_slope{};
     std::vector<std::pair<PetscInt, std::size_t>> apex_dofs;  // unknown and component; each node once

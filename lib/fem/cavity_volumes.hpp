@@ -14,7 +14,7 @@ namespace soft::fem {
 class CavityVolumes {
 public:
     /// Both must outlive this object.
-    CavityVolumes(const Discretization& discretization, LocalState& state);
+    CavityVolumes(const Discretization& fe, LocalState& state);
 
     /// Volume of one of model::measured_cavities; `gradient` by x and `by_motion` by the level of each motion are overwritten; nullptr
     /// and empty if not needed. Collective.
@@ -41,7 +41,7 @@ private:
     void add_wall(const Cavity& cavity, double& volume, Slopes& slopes) const;
     void add_caps(const Rim& rim, double& volume, Slopes& slopes) const;
 
-    const Discretization& discretization_;
+    const Discretization& fe_;
     LocalState& state_;
     std::vector<Cavity> cavities_;                   // by model::measured_cavities
     std::vector<std::vector<std::size_t>> by_load_;  // into cavities_

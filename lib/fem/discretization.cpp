@@ -55,18 +55,18 @@ double pressure_scale(const model::Case& input, std::span<const AnyRubber> rubbe
     return modulus_Pa / size_m;
 }
 
-std::vector<CellGroup> make_groups(const Discretization& discretization) {
+std::vector<CellGroup> make_groups(const Discretization& fe) {
     std::map<std::pair<mesh::CellType, std::int32_t>, CellGroup> by_key;
     std::vector<PetscInt> dofs;
-    for (Index cell = 0; cell < discretization.input.mesh.cell_count(); ++cell) {
-        if (discretization.dofs.cell_rank[cell] != discretization.rank) continue;
-        const auto type = discretization.input.mesh.cell_type(cell);
-        const auto region = discretization.input.mesh.cell_regions[cell];
+    for (Index cell = 0; cell < fe.input.mesh.cell_count(); ++cell) {
+        if (fe.dofs.cell_rank[cell] != fe.rank) continue;
+        const auto type = fe.input.mesh.cell_type(cell);
+        const auto region = fe.input.mesh.cell_regions[cell];
         auto& group = by_key[{type, region}];
-        group.reference = &reference_of(discretization.references, type);
-        group.rubber = &discretization.rubbers[region];
+        group.reference = &reference_of(fe.references, type);
+        group.rubber = &fe.rubbers[region];
         group.cells.push_back(cell);
-        discretization.dofs.cell_dofs(discretization.input.mesh, cell, *group.reference, dofs);
+        fe.dofs.cell_dofs(fe.input.mesh, cell, *group.reference, dofs);
         group.dofs.insert(group.dofs.end(), dofs.begin(), dofs.end());
     }
     std::vector<CellGroup> groups;

@@ -18,19 +18,19 @@ struct PointLocation {
 
 /// Calls visit(point, energy per undeformed volume, location) for every quadrature point of this rank's cells.
 template <class Visit>
-void for_each_point(const Discretization& discretization, const LocalState& state, Visit&& visit) {
+void for_each_point(const Discretization& fe, const LocalState& state, Visit&& visit) {
     std::vector<PointState> points;
-    for (const auto& group : discretization.groups) {
+    for (const auto& group : fe.groups) {
         LocalCell cell(*group.reference);
         for (std::size_t c = 0; c < group.cells.size(); ++c) {
-            gather(discretization, state, group, c, cell);
+            gather(fe, state, group, c, cell);
             points.clear();
             std::visit(
                 [&](const auto& rubber) {
-                    sample_cell(*group.reference, discretization.input.kinematics, rubber.fiber_frame,
-                                cell.input(discretization.dofs.pressure_scale_Pa), cell.out.points, points);
+                    sample_cell(*group.reference, fe.input.kinematics, rubber.fiber_frame,
+                                cell.input(fe.dofs.pressure_scale_Pa), cell.out.points, points);
                     for (std::size_t q = 0; q < points.size(); ++q)
-                        visit(points[q], energy_density(discretization.input.formulation, rubber, points[q]),
+                        visit(points[q], energy_density(fe.input.formulation, rubber, points[q]),
                               PointLocation{group, c, q});
                 },
                 *group.rubber);
@@ -79,17 +79,17 @@ double percentile_99(const std::vector<Sample>& sorted) {
 }
 
 /// Adds the pressure of one cell at its nodes.
-void add_nodal_pressures(const Discretization& discretization, mesh::Index cell, const std::vector<double>& x,
+void add_nodal_pressures(const Discretization& fe, mesh::Index cell, const std::vector<double>& x,
                          std::vector<double>& pressure_Pa, std::vector<int>& shares) {
-    const auto& mesh = discretization.input.mesh;
-    const auto& reference = reference_of(discretization.references, mesh.cell_type(cell));
+    const auto& mesh = fe.input.mesh;
+    const auto& reference = reference_of(fe.references, mesh.cell_type(cell));
     const auto nodes = mesh.cell_nodes(cell);
     std::vector<PetscInt> dofs;
-    discretization.dofs.cell_dofs(mesh, cell, reference, dofs);
+    fe.dofs.cell_dofs(mesh, cell, reference, dofs);
     std::vector<double> unknowns;
     for (int s = reference.displacement_dofs(); s < reference.dofs(); ++s) unknowns.push_back(x[dofs[s]]);
     const auto nodal = nodal_pressures(reference, mesh::by_component(mesh.points, nodes, mesh.dimension), unknowns,
-                                       discretization.dofs.pressure_scale_Pa);
+                                       fe.dofs.pressure_scale_Pa);
     for (std::size_t a = 0; a < nodes.size(); ++a) {
         pressure_Pa[nodes[a]] += nodal[a];
         ++shares[nodes[a]];
@@ -101,10 +101,10 @@ void add_nodal_pressures(const Discretization& discretization, mesh::Index cell,
 double Fields::stored_energy(Vec x) {
     state_.read(x);
     double energy_J = 0;
-    for_each_point(discretization_, state_, [&](const PointState& point, double energy_J_m3, const PointLocation&) {
+    for_each_point(fe_, state_, [&](const PointState& point, double energy_J_m3, const PointLocation&) {
         energy_J += point.weight_m3 * energy_J_m3;
     });
-    MPI_Allreduce(MPI_IN_PLACE, &energy_J, 1, MPI_DOUBLE, MPI_SUM, discretization_.comm);
+    MPI_Allreduce(MPI_IN_PLACE, &energy_J, 1, MPI_DOUBLE, MPI_SUM, fe_.comm);
     return energy_J;
 }
 
@@ -117,24 +117,23 @@ StretchSummary Fields::stretches(Vec x) {
     struct {
         double stretch;
         int rank;
-    } own{0, discretization_.rank}, most{};
-    for_each_point(discretization_, state_,
-                   [&](const PointState& point, double energy_J_m3, const PointLocation& location) {
-                       const auto eigenvalues = symmetric_eigenvalues(right_cauchy_green(point.F));
-                       mine.push_back({std::sqrt(std::max(eigenvalues[0], 0.0)), point.weight_m3});
-                       summary.min_jacobian = std::min(summary.min_jacobian, determinant(point.F));
-                       summary.stored_energy_J += point.weight_m3 * energy_J_m3;
-                       summary.max_energy_J_m3 = std::max(summary.max_energy_J_m3, energy_J_m3);
-                       if (mine.back().stretch <= own.stretch) return;
-                       own.stretch = mine.back().stretch;
-                       summary.max_at_m = undeformed_position(discretization_.input.mesh, location);
-                   });
-    MPI_Allreduce(MPI_IN_PLACE, &summary.min_jacobian, 1, MPI_DOUBLE, MPI_MIN, discretization_.comm);
-    MPI_Allreduce(MPI_IN_PLACE, &summary.stored_energy_J, 1, MPI_DOUBLE, MPI_SUM, discretization_.comm);
-    MPI_Allreduce(MPI_IN_PLACE, &summary.max_energy_J_m3, 1, MPI_DOUBLE, MPI_MAX, discretization_.comm);
-    MPI_Allreduce(&own, &most, 1, MPI_DOUBLE_INT, MPI_MAXLOC, discretization_.comm);
-    MPI_Bcast(summary.max_at_m.data(), 3, MPI_DOUBLE, most.rank, discretization_.comm);
-    const auto samples = sorted_samples(mine, discretization_.comm);
+    } own{0, fe_.rank}, most{};
+    for_each_point(fe_, state_, [&](const PointState& point, double energy_J_m3, const PointLocation& location) {
+        const auto eigenvalues = symmetric_eigenvalues(right_cauchy_green(point.F));
+        mine.push_back({std::sqrt(std::max(eigenvalues[0], 0.0)), point.weight_m3});
+        summary.min_jacobian = std::min(summary.min_jacobian, determinant(point.F));
+        summary.stored_energy_J += point.weight_m3 * energy_J_m3;
+        summary.max_energy_J_m3 = std::max(summary.max_energy_J_m3, energy_J_m3);
+        if (mine.back().stretch <= own.stretch) return;
+        own.stretch = mine.back().stretch;
+        summary.max_at_m = undeformed_position(fe_.input.mesh, location);
+    });
+    MPI_Allreduce(MPI_IN_PLACE, &summary.min_jacobian, 1, MPI_DOUBLE, MPI_MIN, fe_.comm);
+    MPI_Allreduce(MPI_IN_PLACE, &summary.stored_energy_J, 1, MPI_DOUBLE, MPI_SUM, fe_.comm);
+    MPI_Allreduce(MPI_IN_PLACE, &summary.max_energy_J_m3, 1, MPI_DOUBLE, MPI_MAX, fe_.comm);
+    MPI_Allreduce(&own, &most, 1, MPI_DOUBLE_INT, MPI_MAXLOC, fe_.comm);
+    MPI_Bcast(summary.max_at_m.data(), 3, MPI_DOUBLE, most.rank, fe_.comm);
+    const auto samples = sorted_samples(mine, fe_.comm);
     summary.largest = samples.front().stretch;
     summary.p99 = percentile_99(samples);
     return summary;
@@ -144,9 +143,9 @@ NodalFields Fields::gather(Vec x) const {
     const linalg::ScopedTimer timed(linalg::Phase::measures);
     const std::vector<double> all = linalg::gather(x);
     NodalFields fields;
-    if (discretization_.rank != 0) return fields;
-    const mesh::Mesh& mesh = discretization_.input.mesh;
-    const DofMap& map = discretization_.dofs;
+    if (fe_.rank != 0) return fields;
+    const mesh::Mesh& mesh = fe_.input.mesh;
+    const DofMap& map = fe_.dofs;
     const std::size_t points = mesh.points.size(), dimension = static_cast<std::size_t>(map.dimension);
     fields.displacement_m.assign(3 * points, 0.0);
     for (std::size_t node = 0; node < points; ++node)
@@ -158,25 +157,23 @@ NodalFields Fields::gather(Vec x) const {
     fields.pressure_Pa.assign(points, 0.0);
     std::vector<int> shares(points, 0);
     for (mesh::Index cell = 0; cell < mesh.cell_count(); ++cell)
-        add_nodal_pressures(discretization_, cell, all, fields.pressure_Pa, shares);
+        add_nodal_pressures(fe_, cell, all, fields.pressure_Pa, shares);
     for (std::size_t node = 0; node < points; ++node)
         if (shares[node] > 0) fields.pressure_Pa[node] /= shares[node];
     return fields;
 }
 
 void Fields::spread(std::span<const double> displacement_m, Vec x) const {
-    const std::size_t points = discretization_.input.mesh.points.size(),
-                      dimension = static_cast<std::size_t>(discretization_.dofs.dimension);
+    const std::size_t points = fe_.input.mesh.points.size(), dimension = static_cast<std::size_t>(fe_.dofs.dimension);
     std::vector<double> all(3 * points);
-    if (discretization_.rank == 0) std::ranges::copy(displacement_m.first(all.size()), all.begin());
-    MPI_Bcast(all.data(), static_cast<int>(all.size()), MPI_DOUBLE, 0, discretization_.comm);
+    if (fe_.rank == 0) std::ranges::copy(displacement_m.first(all.size()), all.begin());
+    MPI_Bcast(all.data(), static_cast<int>(all.size()), MPI_DOUBLE, 0, fe_.comm);
     PetscScalar* value = nullptr;
     SOFT_PETSC(VecGetArray(x, &value));
     for (std::size_t node = 0; node < points; ++node)
         for (std::size_t i = 0; i < dimension; ++i) {
-            const auto dof = discretization_.dofs.displacement[node * dimension + i];
-            if (dof >= discretization_.dofs.begin && dof < discretization_.dofs.end)
-                value[dof - discretization_.dofs.begin] = all[3 * node + i];
+            const auto dof = fe_.dofs.displacement[node * dimension + i];
+            if (dof >= fe_.dofs.begin && dof < fe_.dofs.end) value[dof - fe_.dofs.begin] = all[3 * node + i];
         }
     SOFT_PETSC(VecRestoreArray(x, &value));
 }

@@ -27,7 +27,7 @@ struct NodalFields {
 class Fields {
 public:
     /// Both must outlive this object.
-    Fields(const Discretization& discretization, LocalState& state) : discretization_(discretization), state_(state) {}
+    Fields(const Discretization& fe, LocalState& state) : fe_(fe), state_(state) {}
 
     /// Energy stored in the rubber of the modelled part [J]. Collective, as all members.
     [[nodiscard]] double stored_energy(Vec x);
@@ -40,7 +40,7 @@ public:
     void spread(std::span<const double> displacement_m, Vec x) const;
 
 private:
-    const Discretization& discretization_;
+    const Discretization& fe_;
     LocalState& state_;
 };
 

@@ -20,7 +20,7 @@ struct PressureSurface {
 };
 
 struct Loads {
-    explicit Loads(const Discretization& discretization);
+    explicit Loads(const Discretization& fe);
 
     std::vector<PressureSurface> pressures;              ///< by Case::loads
     std::vector<linalg::Vector> tractions, body_forces;  ///< at level 1
@@ -28,7 +28,7 @@ struct Loads {
 
 /// Force per unit pressure on a facet at positions x, and its derivative by x where `stiffness` is not empty; both are overwritten.
 /// A load on the undeformed shape has no derivative.
-void pressure_force(const Discretization& discretization, const PressureSurface& surface, const SurfaceCell& facet,
+void pressure_force(const Discretization& fe, const PressureSurface& surface, const SurfaceCell& facet,
                     const std::vector<double>& x, std::vector<double>& force, std::vector<double>& stiffness);
 
 }  // namespace soft::fem

@@ -14,7 +14,7 @@ namespace soft::fem {
 class LocalState {
 public:
     /// Reads the unknowns of this rank's cells; rank 0 also those of all named faces. The discretization must outlive this object.
-    explicit LocalState(const Discretization& discretization);
+    explicit LocalState(const Discretization& fe);
 
     /// Sets the values of the prescribed components.
     void prescribe(const LoadLevels& levels);
@@ -28,7 +28,7 @@ public:
     void positions(const SurfaceCell& cell, std::vector<double>& x) const;
 
 private:
-    const Discretization& discretization_;
+    const Discretization& fe_;
     LoadLevels levels_;
     PetscInt first_;  // index of unknown 0; before it 0 for fixed components, and the prescribed values by slot
     std::vector<double> values_;  // by unknown
@@ -51,24 +51,24 @@ struct LocalCell {
 };
 
 /// Reads positions and unknowns of cell `index` of a group.
-void gather(const Discretization& discretization, const LocalState& state, const CellGroup& group, std::size_t index,
+void gather(const Discretization& fe, const LocalState& state, const CellGroup& group, std::size_t index,
             LocalCell& cell);
 /// The same, then computes the residual and, if wanted, the stiffness.
-void integrate(const Discretization& discretization, const LocalState& state, const CellGroup& group, std::size_t index,
+void integrate(const Discretization& fe, const LocalState& state, const CellGroup& group, std::size_t index,
                material::Wanted wanted, LocalCell& cell);
 
 /// Collects the derivative of a scalar by the unknowns (`by_x` is overwritten; nullptr if not needed) and by the level of each motion
 /// (overwritten; empty if not needed).
 class Slopes {
 public:
-    Slopes(const Discretization& discretization, Vec by_x, std::span<double> by_motion);
+    Slopes(const Discretization& fe, Vec by_x, std::span<double> by_motion);
     [[nodiscard]] bool wanted() const noexcept { return by_x_ != nullptr || !by_motion_.empty(); }
     void add(std::span<const PetscInt> dofs, std::span<const double> slope);
     /// Adds the contributions of all ranks. Collective.
     void finish();
 
 private:
-    const Discretization& discretization_;
+    const Discretization& fe_;
     Vec by_x_;
     std::span<double> by_motion_;
 };

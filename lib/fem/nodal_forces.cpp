@@ -86,19 +86,19 @@ NodalForces plug_force(const model::Case& input, const model::PressureLoad& load
     return plugs;
 }
 
-NodalForces body_force(const Discretization& discretization, const Vector3& acceleration_m_s2) {
-    const mesh::Mesh& mesh = discretization.input.mesh;
-    const auto density = densities_kg_m3(discretization.input);
+NodalForces body_force(const Discretization& fe, const Vector3& acceleration_m_s2) {
+    const mesh::Mesh& mesh = fe.input.mesh;
+    const auto density = densities_kg_m3(fe.input);
     std::map<Index, double> mass;  // ascending, so that sums run in the same order on every rank
     std::vector<PointState> points;
     for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
-        const auto& reference = reference_of(discretization.references, mesh.cell_type(cell));
+        const auto& reference = reference_of(fe.references, mesh.cell_type(cell));
         const auto nodes = mesh.cell_nodes(cell);
         const auto X = mesh::by_component(mesh.points, nodes, mesh.dimension);
         const std::vector<double> rest(reference.dofs(), 0.0);
         points.clear();
         CellPoints work(reference);
-        sample_cell(reference, discretization.input.kinematics, material::FiberFrame::cartesian,
+        sample_cell(reference, fe.input.kinematics, material::FiberFrame::cartesian,
                     {X, {rest.data(), X.size()}, {rest.data() + X.size(), rest.size() - X.size()}, 1.0}, work, points);
         for (std::size_t q = 0; q < points.size(); ++q)
             for (int a = 0; a < reference.nodes; ++a)

@@ -32,7 +32,7 @@ struct NodalForces {
 [[nodiscard]] NodalForces face_force(const model::Case& input, const std::string& face, const Vector3& traction_Pa);
 
 /// int N_a density acceleration dV. Throws Error (bad_input) for a material without density.
-[[nodiscard]] NodalForces body_force(const Discretization& discretization, const Vector3& acceleration_m_s2);
+[[nodiscard]] NodalForces body_force(const Discretization& fe, const Vector3& acceleration_m_s2);
 
 /// Thrust per unit pressure on the plugs of a load's openings (fem/loads.hpp); none if it is not sealed or a fixture
 /// carries them (PressureLoad::plug_thrust).

@@ -8,13 +8,13 @@
 
 namespace soft::fem {
 
-Outputs::Outputs(const Discretization& discretization, const Loads& loads, LocalState& state)
-    : discretization_(discretization), loads_(loads), state_(state) {
-    for (const auto& output : discretization.input.outputs) forms_.push_back(make(output));
+Outputs::Outputs(const Discretization& fe, const Loads& loads, LocalState& state)
+    : fe_(fe), loads_(loads), state_(state) {
+    for (const auto& output : fe.input.outputs) forms_.push_back(make(output));
 }
 
 Outputs::Form Outputs::make(const model::Output& output) const {
-    const bool solid = discretization_.input.kinematics == model::Kinematics::solid;
+    const bool solid = fe_.input.kinematics == model::Kinematics::solid;
     const auto require = [&output](bool possible) {
         if (!possible)
             throw Error(ExitCode::bad_input, "outputs." + output.name, "this measure is available only in solid models",
@@ -27,36 +27,35 @@ Outputs::Form Outputs::make(const model::Output& output) const {
             return make_mean(output, {0, 1, 0});  // r is the second coordinate of a section
         case model::Measure::bend:
         case model::Measure::twist:
-            require(discretization_.input.kinematics != model::Kinematics::axisymmetric);
-            return make_rotation(discretization_, output, state_);
+            require(fe_.input.kinematics != model::Kinematics::axisymmetric);
+            return make_rotation(fe_, output, state_);
         case model::Measure::rotation:
         case model::Measure::curvature: require(solid); return make_whole_face(output);
         case model::Measure::force:
         case model::Measure::moment: break;
     }
-    if (discretization_.input.dynamics)
+    if (fe_.input.dynamics)
         throw Error(ExitCode::bad_input, "outputs." + output.name, "reactions are available only in static cases",
                     "remove dynamics, or use measure: displacement");
-    return make_reaction(discretization_, loads_, output);
+    return make_reaction(fe_, loads_, output);
 }
 
 Outputs::Mean Outputs::make_mean(const model::Output& output, const Vector3& direction) const {
-    const auto weights =
-        output.point_m
-            ? point_displacement(discretization_.input, discretization_.dofs, output.name, *output.point_m, direction)
-            : mean_displacement(discretization_.input, discretization_.dofs, output.face, direction);
-    Mean mean{discretization_.make_vector(weights), std::vector(discretization_.input.motions.size(), 0.0)};
+    const auto weights = output.point_m
+                             ? point_displacement(fe_.input, fe_.dofs, output.name, *output.point_m, direction)
+                             : mean_displacement(fe_.input, fe_.dofs, output.face, direction);
+    Mean mean{fe_.make_vector(weights), std::vector(fe_.input.motions.size(), 0.0)};
     for (std::size_t i = 0; i < weights.dofs.size(); ++i)
         if (const int slot = motion_slot(weights.dofs[i]); slot >= 0)
-            mean.by_motion[slot / 3] += weights.values[i] * discretization_.moved_by(weights.dofs[i]);
+            mean.by_motion[slot / 3] += weights.values[i] * fe_.moved_by(weights.dofs[i]);
     return mean;
 }
 
 Outputs::WholeFace Outputs::make_whole_face(const model::Output& output) const {
-    const model::Case& input = discretization_.input;
+    const model::Case& input = fe_.input;
     const auto symmetry = model::face_symmetry(input.mesh, {input.kinematics, input.symmetry_planes}, output.face);
     const auto weights = model::face_weights(input.mesh, input.kinematics, output.face);
-    WholeFace face{{output.measure, output.direction, {}, {}}, nodes_on_rank_0(discretization_, weights.nodes), {}};
+    WholeFace face{{output.measure, output.direction, {}, {}}, nodes_on_rank_0(fe_, weights.nodes), {}};
     for (std::size_t mirrors = 0; mirrors < 8; ++mirrors) {
         Vector3 signs{1, 1, 1};
         bool wanted = true;
@@ -77,17 +76,17 @@ Outputs::WholeFace Outputs::make_whole_face(const model::Output& output) const {
 
 double Outputs::value(std::size_t index, Vec x, Vec gradient, LoadLevels* by_levels) {
     const linalg::ScopedTimer timed(linalg::Phase::measures);
-    if (by_levels != nullptr) *by_levels = no_loads(discretization_.input);
+    if (by_levels != nullptr) *by_levels = no_loads(fe_.input);
     const std::span<double> by_motion =
         by_levels != nullptr ? std::span<double>(by_levels->motions) : std::span<double>();
     const Form& form = forms_.at(index);
     if (const auto* linear = std::get_if<Mean>(&form)) return mean(*linear, x, gradient, by_motion);
     state_.read(x);
     if (const auto* of_face = std::get_if<Reaction>(&form)) return reaction(*of_face, gradient, by_levels);
-    Slopes slopes(discretization_, gradient, by_motion);
+    Slopes slopes(fe_, gradient, by_motion);
     const auto* angle = std::get_if<Rotation>(&form);
     const double value =
-        angle != nullptr ? value_of(*angle, discretization_, state_, slopes) : shape(std::get<WholeFace>(form), slopes);
+        angle != nullptr ? value_of(*angle, fe_, state_, slopes) : shape(std::get<WholeFace>(form), slopes);
     slopes.finish();
     return value;
 }
@@ -102,7 +101,7 @@ double Outputs::mean(const Mean& output, Vec x, Vec gradient, std::span<double> 
 
 double Outputs::shape(const WholeFace& output, Slopes& slopes) const {
     double value = 0;
-    if (discretization_.rank == 0) {
+    if (fe_.rank == 0) {
         const std::size_t n = output.at_nodes.nodes.size();
         std::vector<double> x, slope(3 * n, 0.0);
         state_.positions(output.at_nodes, x);
@@ -116,23 +115,22 @@ double Outputs::shape(const WholeFace& output, Slopes& slopes) const {
                 slope[i * n + output.images[k].node] += output.images[k].signs[i] * by_points[k][i];
         slopes.add(output.at_nodes.dofs, slope);
     }
-    MPI_Bcast(&value, 1, MPI_DOUBLE, 0, discretization_.comm);
+    MPI_Bcast(&value, 1, MPI_DOUBLE, 0, fe_.comm);
     return value;
 }
 
 double Outputs::reaction(const Reaction& output, Vec gradient, LoadLevels* by_levels) const {
     std::vector<double> none;
-    Slopes slopes(discretization_, gradient, by_levels != nullptr ? by_levels->motions : none);
-    double value = output.copies * own_value(output, {discretization_, loads_, state_}, slopes, by_levels);
-    MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_SUM, discretization_.comm);
+    Slopes slopes(fe_, gradient, by_levels != nullptr ? by_levels->motions : none);
+    double value = output.copies * own_value(output, {fe_, loads_, state_}, slopes, by_levels);
+    MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_SUM, fe_.comm);
     slopes.finish();
     if (gradient != nullptr) SOFT_PETSC(VecScale(gradient, output.copies));
     if (by_levels == nullptr) return value;
     for (auto* list : {&by_levels->pressures_Pa, &by_levels->tractions, &by_levels->body_forces, &by_levels->motions}) {
         for (double& slope : *list) slope *= output.copies;
         if (!list->empty() && list != &by_levels->motions)  // those have been summed
-            MPI_Allreduce(MPI_IN_PLACE, list->data(), static_cast<int>(list->size()), MPI_DOUBLE, MPI_SUM,
-                          discretization_.comm);
+            MPI_Allreduce(MPI_IN_PLACE, list->data(), static_cast<int>(list->size()), MPI_DOUBLE, MPI_SUM, fe_.comm);
     }
     return value;
 }

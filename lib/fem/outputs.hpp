@@ -13,7 +13,7 @@ namespace soft::fem {
 class Outputs {
 public:
     /// All three must outlive this object. Throws Error (bad_input, location outputs.<name>) for a measure that the case cannot have.
-    Outputs(const Discretization& discretization, const Loads& loads, LocalState& state);
+    Outputs(const Discretization& fe, const Loads& loads, LocalState& state);
 
     /// Value (SI, model::unit_of) under the levels last prescribed; `gradient` by x and the derivatives by the levels are overwritten;
     /// nullptr if not needed. Angles lie in (-pi, pi]. Collective.
@@ -44,7 +44,7 @@ private:
     double shape(const WholeFace& output, Slopes& slopes) const;
     double reaction(const Reaction& output, Vec gradient, LoadLevels* by_levels) const;
 
-    const Discretization& discretization_;
+    const Discretization& fe_;
     const Loads& loads_;
     LocalState& state_;
     std::vector<Form> forms_;  // by Case::outputs

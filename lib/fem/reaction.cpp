@@ -115,19 +115,19 @@ double add_share(const Reaction& reaction, const NodeForces& forces, double sign
 
 double cell_reactions(const Reaction& reaction, const LoadedState& at, Slopes& slopes) {
     const auto wanted = slopes.wanted() ? material::Wanted::stress_and_tangent : material::Wanted::stress;
-    const Discretization& discretization = at.discretization;
+    const Discretization& fe = at.fe;
     double value = 0;
     std::vector<double> slope, x;
-    for (std::size_t g = 0; g < discretization.groups.size(); ++g) {
-        const CellGroup& group = discretization.groups[g];
+    for (std::size_t g = 0; g < fe.groups.size(); ++g) {
+        const CellGroup& group = fe.groups[g];
         LocalCell cell(*group.reference);
         for (const std::size_t c : reaction.cells[g]) {
-            integrate(discretization, at.state, group, c, wanted, cell);
+            integrate(fe, at.state, group, c, wanted, cell);
             x = cell.X;
             for (std::size_t k = 0; k < x.size(); ++k) x[k] += cell.unknowns[k];
             slope.assign(slopes.wanted() ? cell.unknowns.size() : 0, 0.0);
-            const NodeForces forces{discretization.input.mesh.cell_nodes(group.cells[c]), discretization.dofs.dimension,
-                                    x, cell.out.residual, cell.out.stiffness};
+            const NodeForces forces{fe.input.mesh.cell_nodes(group.cells[c]), fe.dofs.dimension, x, cell.out.residual,
+                                    cell.out.stiffness};
             value += add_share(reaction, forces, -1.0, slope);
             if (slopes.wanted()) slopes.add(group.dofs_of(c), slope);
         }
@@ -145,10 +145,10 @@ double pressure_reactions(const Reaction& reaction, const LoadedState& at, Slope
             const SurfaceCell& facet = surface.facets[f];
             at.state.positions(facet, x);
             stiffness.resize(slopes.wanted() && surface.follows ? x.size() * x.size() : 0);
-            pressure_force(at.discretization, surface, facet, x, force, stiffness);
+            pressure_force(at.fe, surface, facet, x, force, stiffness);
             slope.assign(slopes.wanted() ? x.size() : 0, 0.0);
             const double per_pressure =
-                add_share(reaction, {facet.nodes, at.discretization.dofs.dimension, x, force, stiffness}, 1.0, slope);
+                add_share(reaction, {facet.nodes, at.fe.dofs.dimension, x, force, stiffness}, 1.0, slope);
             value += pressure * per_pressure;
             if (by_levels != nullptr) by_levels->pressures_Pa[load] += per_pressure;
             for (double& s : slope) s *= pressure;
@@ -159,7 +159,7 @@ double pressure_reactions(const Reaction& reaction, const LoadedState& at, Slope
 }
 
 double dead_reactions(const Reaction& reaction, const LoadedState& at, Slopes& slopes, LoadLevels* by_levels) {
-    if (at.discretization.rank != 0) return 0;
+    if (at.fe.rank != 0) return 0;
     double value = 0;
     std::vector<double> x, slope;
     at.state.positions(reaction.at_nodes, x);
@@ -168,7 +168,7 @@ double dead_reactions(const Reaction& reaction, const LoadedState& at, Slopes& s
             const double level = (at.state.levels().*list)[i];
             slope.assign(x.size(), 0.0);
             const double per_level =
-                add_share(reaction, {reaction.nodes, at.discretization.dofs.dimension, x, forces[i], {}}, 1.0, slope);
+                add_share(reaction, {reaction.nodes, at.fe.dofs.dimension, x, forces[i], {}}, 1.0, slope);
             value += level * per_level;
             if (by_levels != nullptr) (by_levels->*list)[i] += per_level;
             for (double& s : slope) s *= level;
@@ -182,12 +182,12 @@ double dead_reactions(const Reaction& reaction, const LoadedState& at, Slopes& s
 }
 
 /// The cells, facets and dead forces at the nodes of the face.
-void find_contributions(Reaction& reaction, const Discretization& discretization, const Loads& loads) {
-    const model::Case& input = discretization.input;
+void find_contributions(Reaction& reaction, const Discretization& fe, const Loads& loads) {
+    const model::Case& input = fe.input;
     const auto touches = [&](std::span<const mesh::Index> nodes) {
         return std::ranges::any_of(nodes, [&](mesh::Index node) { return index_of(reaction, node).has_value(); });
     };
-    for (const auto& group : discretization.groups) {
+    for (const auto& group : fe.groups) {
         auto& list = reaction.cells.emplace_back();
         for (std::size_t c = 0; c < group.cells.size(); ++c)
             if (touches(input.mesh.cell_nodes(group.cells[c]))) list.push_back(c);
@@ -197,23 +197,22 @@ void find_contributions(Reaction& reaction, const Discretization& discretization
         for (std::size_t f = 0; f < load.facets.size(); ++f)
             if (touches(load.facets[f].nodes)) list.push_back(f);
     }
-    reaction.at_nodes = nodes_on_rank_0(discretization, reaction.nodes);
-    if (discretization.rank != 0) return;
-    const int dimension = discretization.dofs.dimension;
+    reaction.at_nodes = nodes_on_rank_0(fe, reaction.nodes);
+    if (fe.rank != 0) return;
+    const int dimension = fe.dofs.dimension;
     for (const auto& load : input.loads)
         reaction.plugs.push_back(at_nodes_of(reaction, plug_force(input, load), dimension));
     for (const auto& traction : input.tractions)
         reaction.tractions.push_back(
             at_nodes_of(reaction, face_force(input, traction.face, traction.traction_Pa), dimension));
     for (const auto& force : input.body_forces)
-        reaction.body_forces.push_back(
-            at_nodes_of(reaction, body_force(discretization, force.acceleration_m_s2), dimension));
+        reaction.body_forces.push_back(at_nodes_of(reaction, body_force(fe, force.acceleration_m_s2), dimension));
 }
 
 }  // namespace
 
-Reaction make_reaction(const Discretization& discretization, const Loads& loads, const model::Output& output) {
-    const model::Case& input = discretization.input;
+Reaction make_reaction(const Discretization& fe, const Loads& loads, const model::Output& output) {
+    const model::Case& input = fe.input;
     const auto symmetry = model::face_symmetry(input.mesh, {input.kinematics, input.symmetry_planes}, output.face);
     const auto weights = model::face_weights(input.mesh, input.kinematics, output.face);
     Reaction reaction;
@@ -228,7 +227,7 @@ Reaction make_reaction(const Discretization& discretization, const Loads& loads,
         for (std::size_t i = 0; i < 3; ++i)
             if (!symmetry.mirrored[i])
                 reaction.centre[i] += weights.weights_m2[k] / weights.area_m2 * input.mesh.point(weights.nodes[k])[i];
-    find_contributions(reaction, discretization, loads);
+    find_contributions(reaction, fe, loads);
     return reaction;
 }
 

@@ -28,12 +28,11 @@ struct Reaction {
     std::vector<std::vector<double>> plugs, tractions, body_forces;
 };
 
-[[nodiscard]] Reaction make_reaction(const Discretization& discretization, const Loads& loads,
-                                     const model::Output& output);
+[[nodiscard]] Reaction make_reaction(const Discretization& fe, const Loads& loads, const model::Output& output);
 
 /// What a reaction is evaluated from; `state` has been read and the levels prescribed.
 struct LoadedState {
-    const Discretization& discretization;
+    const Discretization& fe;
     const Loads& loads;
     const LocalState& state;
 };

@@ -62,29 +62,27 @@ void add_phasor(const Rotation& rotation, model::Kinematics kinematics, const Su
         }
 }
 
-RotationFace make_rotation_face(const Discretization& discretization, const std::string& name) {
-    RotationFace face{own_facets(discretization, model::facets_of(discretization.input.mesh, name)), {}};
+RotationFace make_rotation_face(const Discretization& fe, const std::string& name) {
+    RotationFace face{own_facets(fe, model::facets_of(fe.input.mesh, name)), {}};
     for (const auto& facet : face.facets) {
         auto& weights = face.weights.emplace_back(facet.nodes.size(), 0.0);
-        (void)model::facet_area(*facet.reference, discretization.input.kinematics, facet.X, weights);
+        (void)model::facet_area(*facet.reference, fe.input.kinematics, facet.X, weights);
     }
     return face;
 }
 
 }  // namespace
 
-Rotation make_rotation(const Discretization& discretization, const model::Output& output, LocalState& state) {
-    Rotation rotation{output.measure, output.direction, make_rotation_face(discretization, output.face), {}, 0.0};
-    if (output.measure == model::Measure::bend)
-        rotation.reference = make_rotation_face(discretization, output.reference);
-    state.read(discretization.make_vector());
-    Slopes none(discretization, nullptr, {});
-    rotation.undeformed = value_of(rotation, discretization, state, none);
+Rotation make_rotation(const Discretization& fe, const model::Output& output, LocalState& state) {
+    Rotation rotation{output.measure, output.direction, make_rotation_face(fe, output.face), {}, 0.0};
+    if (output.measure == model::Measure::bend) rotation.reference = make_rotation_face(fe, output.reference);
+    state.read(fe.make_vector());
+    Slopes none(fe, nullptr, {});
+    rotation.undeformed = value_of(rotation, fe, state, none);
     return rotation;
 }
 
-double value_of(const Rotation& rotation, const Discretization& discretization, const LocalState& state,
-                Slopes& slopes) {
+double value_of(const Rotation& rotation, const Discretization& fe, const LocalState& state, Slopes& slopes) {
     struct Share {
         const SurfaceCell* facet;
         std::array<std::vector<double>, 2> slopes;
@@ -98,10 +96,9 @@ double value_of(const Rotation& rotation, const Discretization& discretization, 
         for (std::size_t f = 0; f < face->facets.size(); ++f) {
             state.positions(face->facets[f], x);
             Share& share = shares.emplace_back(Share{&face->facets[f], {}});
-            add_phasor(rotation, discretization.input.kinematics, *share.facet, x, face->weights[f], phasor,
-                       share.slopes);
+            add_phasor(rotation, fe.input.kinematics, *share.facet, x, face->weights[f], phasor, share.slopes);
         }
-        MPI_Allreduce(MPI_IN_PLACE, phasor.data(), 2, MPI_DOUBLE, MPI_SUM, discretization.comm);
+        MPI_Allreduce(MPI_IN_PLACE, phasor.data(), 2, MPI_DOUBLE, MPI_SUM, fe.comm);
         const double sign = face == &rotation.reference ? -1.0 : 1.0;
         if (face == &rotation.reference)
             for (double& component : phasor) component = -component;  // from the inward normal of the reference face

@@ -26,11 +26,10 @@ struct Rotation {
 };
 
 /// `state` is overwritten: the angle of the undeformed state is subtracted.
-[[nodiscard]] Rotation make_rotation(const Discretization& discretization, const model::Output& output,
-                                     LocalState& state);
+[[nodiscard]] Rotation make_rotation(const Discretization& fe, const model::Output& output, LocalState& state);
 
 /// The angle at the state last read; adds its derivatives to `slopes`. Collective.
-[[nodiscard]] double value_of(const Rotation& rotation, const Discretization& discretization, const LocalState& state,
+[[nodiscard]] double value_of(const Rotation& rotation, const Discretization& fe, const LocalState& state,
                               Slopes& slopes);
 
 }  // namespace soft::fem

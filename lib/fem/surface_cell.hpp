@@ -16,14 +16,13 @@ struct SurfaceCell {
     std::vector<double> X;       ///< undeformed positions, in the same order
 };
 
-[[nodiscard]] SurfaceCell make_surface_cell(const Discretization& discretization, std::vector<mesh::Index> nodes,
+[[nodiscard]] SurfaceCell make_surface_cell(const Discretization& fe, std::vector<mesh::Index> nodes,
                                             const model::ReferenceFacet* reference = nullptr);
 
 /// Those of some facets that this rank assembles.
-[[nodiscard]] std::vector<SurfaceCell> own_facets(const Discretization& discretization,
-                                                  const std::vector<mesh::Facet>& facets);
+[[nodiscard]] std::vector<SurfaceCell> own_facets(const Discretization& fe, const std::vector<mesh::Facet>& facets);
 
 /// Nodes that rank 0 evaluates alone; empty on other ranks.
-[[nodiscard]] SurfaceCell nodes_on_rank_0(const Discretization& discretization, const std::vector<mesh::Index>& nodes);
+[[nodiscard]] SurfaceCell nodes_on_rank_0(const Discretization& fe, const std::vector<mesh::Index>& nodes);
 
 }  // namespace soft::fem

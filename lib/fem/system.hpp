@@ -14,12 +14,12 @@ public:
     /// Throws Error (bad_input) as Discretization and Outputs do. The case must outlive the system.
     System(const model::Case& input, MPI_Comm comm);
 
-    [[nodiscard]] const Discretization& discretization() const noexcept { return discretization_; }
-    [[nodiscard]] const model::Case& input() const noexcept { return discretization_.input; }
-    [[nodiscard]] MPI_Comm comm() const noexcept { return discretization_.comm; }
-    [[nodiscard]] const DofMap& dofs() const noexcept { return discretization_.dofs; }
-    [[nodiscard]] linalg::Vector make_vector() const { return discretization_.make_vector(); }
-    [[nodiscard]] linalg::Matrix make_matrix() const { return discretization_.make_matrix(); }
+    [[nodiscard]] const Discretization& discretization() const noexcept { return fe_; }
+    [[nodiscard]] const model::Case& input() const noexcept { return fe_.input; }
+    [[nodiscard]] MPI_Comm comm() const noexcept { return fe_.comm; }
+    [[nodiscard]] const DofMap& dofs() const noexcept { return fe_.dofs; }
+    [[nodiscard]] linalg::Vector make_vector() const { return fe_.make_vector(); }
+    [[nodiscard]] linalg::Matrix make_matrix() const { return fe_.make_matrix(); }
 
     void prescribe(const LoadLevels& levels) { state_.prescribe(levels); }
     Evaluation evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::span<const LoadColumn> columns = {}) {
@@ -59,7 +59,7 @@ public:
     void spread_displacements(std::span<const double> nodal, Vec x) const { fields_.spread(nodal, x); }
 
 private:
-    Discretization discretization_;
+    Discretization fe_;
     LocalState state_;
     Loads loads_;
     Assembler assembler_;
