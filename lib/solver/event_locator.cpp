@@ -1,0 +1,257 @@
+#include "solver/event_locator.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/stepping.hpp"
+
+namespace soft::solver {
+
+namespace {
+
+/// A limit point is located until its load is known to this relative accuracy (estimated from the slope's parabola).
+constexpr double limit_point_tolerance = 1e-8;
+constexpr int limit_point_solves = 12;
+/// A bifurcation is located until the load changes by less than this fraction of itself over the bracket.
+constexpr double bifurcation_tolerance = 1e-6;
+constexpr int bifurcation_solves = 30;
+/// Inverse iterations for the mode: the eigenvalue that passes through zero is by far the smallest there.
+constexpr int mode_iterations = 3;
+/// Fractions of the step: distance before and after a bifurcation at which its eigenvalue is checked.
+constexpr double beside_bifurcation = 0.05, min_beside = 1e-6;
+/// Smallest cosine between the mode at the bifurcation and on either side.
+constexpr double same_mode = 0.9;
+/// Fraction of the distance between the rows on both sides: states farther apart than this belong to two branches.
+constexpr double apart = 0.05;
+/// The step in which contact occurs is halved this many times.
+constexpr int contact_halvings = 8;
+
+double leading_slope(const PathPoint& point, std::size_t) { return point.leading_slope; }
+double volume_slope(const PathPoint& point, std::size_t load) { return point.load_volume_slopes[load]; }
+double output_slope(const PathPoint& point, std::size_t output) { return point.output_slopes[output]; }
+double load_factor_slope(const PathPoint& point, std::size_t) { return point.tangent.load_factor; }
+
+/// A vector without any symmetry, the same in every run and on any number of ranks.
+linalg::Vector generic_vector(const fem::System& system) {
+    auto b = system.make_vector();
+    for (PetscInt i = system.dofs().begin; i < system.dofs().end; ++i) {
+        const double phase = 0.618033988749895 * static_cast<double>(i + 1);
+        SOFT_PETSC(VecSetValue(b, i, 2.0 * (phase - std::floor(phase)) - 1.0, INSERT_VALUES));
+    }
+    SOFT_PETSC(VecAssemblyBegin(b));
+    SOFT_PETSC(VecAssemblyEnd(b));
+    return b;
+}
+
+/// A position on the path and the value of a function there.
+struct Sample {
+    double q, value;
+};
+
+/// The next trial position for the zero between two samples of opposite sign: the secant's root, moved towards the farther end by as
+/// much as the root has moved since the last one, so that the bracket closes from both sides. `last` is the previous root.
+double next_between(const Sample& a, const Sample& b, std::optional<double>& last) {
+    const double root = a.q + (b.q - a.q) * a.value / (a.value - b.value);
+    const double moved = last ? std::abs(root - *last) : 0.0;
+    last = root;
+    const double toward_farther = std::abs(root - a.q) > std::abs(b.q - root) ? a.q - root : b.q - root;
+    return root + std::clamp(moved / std::abs(toward_farther), 0.0, 0.5) * toward_farther;
+}
+
+/// One inverse iteration with the bordered matrix M of the last tangent: 1 / (b . M^-1 b), an estimate of the smallest eigenvalue if b is
+/// close to its mode, and the unit vector along M^-1 b.
+struct InverseIterate {
+    double eigenvalue;
+    linalg::Vector v;
+};
+std::optional<InverseIterate> iterate_inverse(Newton& newton, Vec b) {
+    auto v = newton.bordered_solve(b);
+    if (!v) return std::nullopt;
+    const double eigenvalue = 1.0 / linalg::dot(b, *v);
+    SOFT_PETSC(VecScale(*v, 1.0 / linalg::norm(*v)));
+    if (linalg::dot(*v, b) < 0.0) SOFT_PETSC(VecScale(*v, -1.0));
+    return InverseIterate{eigenvalue, std::move(*v)};
+}
+
+/// Scales a mode to a largest displacement of 1; the sign does not depend on the number of ranks.
+void normalize_mode(fem::System& system, Vec mode) {
+    system.prescribe(fem::no_loads(system.input()));
+    const auto u = system.gather_fields(mode).displacement_m;
+    double factor = 0;
+    for (const double component : u) factor = std::max(factor, std::abs(component));
+    const auto first = std::ranges::find_if(u, [&](double component) { return std::abs(component) > 0.5 * factor; });
+    if (first != u.end() && *first < 0.0) factor = -factor;
+    MPI_Bcast(&factor, 1, MPI_DOUBLE, 0, system.comm());
+    if (factor != 0.0) SOFT_PETSC(VecScale(mode, 1.0 / factor));
+}
+
+}  // namespace
+
+std::optional<ContactEvent> EventLocator::find_contact(PathPoint& point) {
+    if (!listeners_.contact || corrector_.input().path.contact == model::Contact::ignore) return std::nullopt;
+    const auto contact_at = [&](const PathPoint& at) {
+        corrector_.system().prescribe(at.levels);
+        return listeners_.contact(at.state.x);
+    };
+    auto touching = contact_at(point);
+    if (!touching) return std::nullopt;
+    listeners_.report("contact before row " + std::to_string(path_.rows) + ": locating its onset");
+    double free_q = path_.last->q, touching_q = point.q;
+    std::optional<PathPoint> free;
+    for (int i = 0; i < contact_halvings; ++i) {
+        const double q = 0.5 * (free_q + touching_q);
+        auto middle = corrector_.solve_between(frame_, *path_.last, point, q);
+        if (!middle) break;
+        if (auto touch = contact_at(*middle)) {
+            touching = std::move(touch);
+            touching_q = q;
+        } else {
+            free = std::move(middle);
+            free_q = q;
+        }
+    }
+    if (free) point = std::move(*free);
+    return touching;
+}
+
+Events EventLocator::events_before(const PathPoint& to) {
+    const PathPoint& from = *path_.last;
+    Events events;
+    const auto watch = [&](Event::Kind kind, Slope slope, std::size_t index) {
+        if (slope(from, index) * slope(to, index) >= 0.0) return false;
+        auto point = locate_extremum(to, slope, index);
+        if (!point) return false;  // not located: only the rows show the sign change
+        events.list.push_back({kind, std::move(*point)});
+        return true;
+    };
+    // Where the load changes by less than the tolerance of a limit point, a change of sign is rounding: the path hardly moves.
+    const double change = std::abs(to.leading - from.leading),
+                 size = std::max(std::abs(to.leading), std::abs(from.leading));
+    const bool moves = path_.user_control || change > limit_point_tolerance * size;
+    bool ends = moves && watch(Event::Kind::limit_point, leading_slope, 0);
+    if (const auto& user = path_.user_control) {
+        const bool by_load = user->kind == ConstraintKind::load_factor;
+        const Slope slope = by_load                                ? load_factor_slope
+                            : user->kind == ConstraintKind::volume ? volume_slope
+                                                                   : output_slope;
+        const bool leads = by_load && model::leading_load(corrector_.input()) == model::LeadingLoad::pressure &&
+                           path_.loads->rate().pressures_Pa[0] != 0.0;
+        if (!leads) ends = watch(Event::Kind::control_extremum, slope, user->index);
+        const bool minimum = slope(from, user->index) * path_.direction() < 0.0;
+        if (ends)
+            events.control_ends = "the " + std::string(by_load ? "load" : name(user->kind)) + " has a " +
+                                  (minimum ? "minimum" : "maximum");
+    }
+    const auto before = branch_index(path_, from), after = branch_index(path_, to);
+    if (before && after && *before != *after)
+        if (auto event = locate_bifurcation(to)) {
+            event->modes = std::abs(*after - *before);
+            events.list.push_back(std::move(*event));
+        }
+    const double sense = path_.direction();
+    std::ranges::stable_sort(events.list,
+                             [&](const Event& a, const Event& b) { return sense * a.point.q < sense * b.point.q; });
+    return events;
+}
+
+std::optional<PathPoint> EventLocator::locate_extremum(const PathPoint& to, Slope slope_at, std::size_t index) {
+    Bracket bracket{*path_.last, to};
+    const double first_slope = slope_at(bracket.from, index);
+    for (int solve = 0; solve < limit_point_solves; ++solve) {
+        const PathPoint &a = bracket.low(), &b = bracket.high();
+        // Zero of the slope by the secant through both ends, kept away from both ends.
+        const double span = b.q - a.q, at_a = slope_at(a, index), at_b = slope_at(b, index);
+        const double share = std::clamp(at_a / (at_a - at_b), 0.02, 0.98);
+        auto point = corrector_.solve_between(frame_, a, b, a.q + share * span);
+        if (!point) return std::nullopt;
+        const double curvature = (at_b - at_a) / span, slope = slope_at(*point, index);
+        const double gain = std::abs(first_slope * (to.q - bracket.from.q));  // the scale of the quantity itself
+        const double size = std::max(slope_at == leading_slope ? std::abs(point->leading) : 0.0, gain);
+        const bool located = slope * slope <= 2.0 * limit_point_tolerance * std::abs(curvature) * size;
+        if (located || solve + 1 == limit_point_solves) return point;
+        (slope * first_slope > 0.0 ? bracket.left : bracket.right) = std::move(point);
+    }
+    return std::nullopt;
+}
+
+/// Why a change of the count of negative pivots over a bracket is no bifurcation: a count also changes by rounding, and where the
+/// corrector has converged to another branch. Empty where the eigenvalue of the mode has opposite signs on both sides.
+std::string EventLocator::check_bifurcation(const Bracket& bracket, const std::optional<linalg::Vector>& mode) {
+    const PathPoint &from = bracket.from, &to = bracket.to;
+    const double gap = distance(bracket.low().state.x, bracket.high().state.x);
+    if (gap > apart * distance(from.state.x, to.state.x)) return "the states on both sides belong to two branches";
+    if (!mode) return "no mode is found";
+    const double span = to.q - from.q, at = 0.5 * (bracket.low().q + bracket.high().q);
+    std::optional<double> before;
+    for (const double side : {-1.0, 1.0}) {
+        const double distance_to_end = std::abs(side < 0.0 ? at - from.q : to.q - at);
+        const double away = std::min(beside_bifurcation * std::abs(span), 0.5 * distance_to_end);
+        // A change arbitrarily close to a row means that the count at the row itself is different.
+        if (away < min_beside * std::abs(span)) return "only at a row itself, where no eigenvalue passes through zero";
+        const auto point = corrector_.solve_between(frame_, from, to, at + side * std::copysign(away, span));
+        linalg::Vector b = linalg::duplicate(*mode);
+        linalg::copy(*mode, b);
+        std::optional<double> eigenvalue;
+        for (int i = 0; point && i < 2 * mode_iterations; ++i) {
+            auto next = iterate_inverse(corrector_.newton(), b);
+            if (!next) break;
+            eigenvalue = next->eigenvalue;
+            b = std::move(next->v);
+        }
+        if (!eigenvalue || std::abs(linalg::dot(b, *mode)) < same_mode)
+            return "the smallest eigenvalue has another mode there";
+        if (before && *before * *eigenvalue > 0.0) return "no eigenvalue passes through zero";
+        before = eigenvalue;
+    }
+    return {};
+}
+
+/// Brackets the change of branch_index by bisection on its count. The secant on 1 / (b . M^-1 b), which vanishes with the
+/// eigenvalue (Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, 2000, 3.3), shortens the bracket as
+/// soon as b is close to the mode.
+std::optional<Event> EventLocator::locate_bifurcation(const PathPoint& to) {
+    Bracket bracket{*path_.last, to};
+    const int index = *branch_index(path_, bracket.from);
+    std::optional<double> left_test, right_test, root;
+    linalg::Vector b = generic_vector(corrector_.system());
+    SOFT_PETSC(VecScale(b, 1.0 / linalg::norm(b)));
+    std::optional<linalg::Vector> mode;
+    for (int solve = 0; solve < bifurcation_solves; ++solve) {
+        const PathPoint &a = bracket.low(), &c = bracket.high();
+        const double q = left_test && right_test && *left_test * *right_test < 0.0
+                             ? next_between({a.q, *left_test}, {c.q, *right_test}, root)
+                             : 0.5 * (a.q + c.q);
+        auto point = corrector_.solve_between(frame_, a, c, q);
+        if (!point) break;
+        const auto here = branch_index(path_, *point);
+        if (!here) break;
+        std::optional<double> test;
+        for (int i = 0; i < mode_iterations; ++i) {
+            auto next = iterate_inverse(corrector_.newton(), b);
+            if (!next) break;
+            test = next->eigenvalue;
+            if (i + 1 < mode_iterations || solve == 0) linalg::copy(next->v, b);
+            mode = std::move(next->v);
+        }
+        const bool before = *here == index;
+        (before ? bracket.left : bracket.right) = std::move(point);
+        (before ? left_test : right_test) = test;
+        if (!bracket.left || !bracket.right) continue;
+        const PathPoint &left = *bracket.left, &right = *bracket.right;
+        const double change = std::abs(right.leading - left.leading) +
+                              std::abs(right.state.load_factor - left.state.load_factor) * std::abs(left.leading);
+        if (change <= bifurcation_tolerance * std::max(std::abs(left.leading), std::abs(right.leading))) break;
+    }
+    if (!bracket.left && !bracket.right) return std::nullopt;
+    const std::string objection = check_bifurcation(bracket, mode);
+    if (!objection.empty()) {
+        listeners_.report("the count of negative pivots changes before row " + std::to_string(path_.rows) + ", but " +
+                          objection + ": no bifurcation");
+        return std::nullopt;
+    }
+    if (mode) normalize_mode(corrector_.system(), *mode);
+    return Event{Event::Kind::bifurcation, std::move(bracket.left ? *bracket.left : *bracket.right), 1,
+                 std::move(mode)};
+}
+
+}  // namespace soft::solver
