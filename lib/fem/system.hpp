@@ -27,6 +27,7 @@ public:
     }
     [[nodiscard]] Assembler& assembler() noexcept { return assembler_; }
     [[nodiscard]] CavityVolumes& volumes() noexcept { return volumes_; }
+    [[nodiscard]] const CavityVolumes& volumes() const noexcept { return volumes_; }
     [[nodiscard]] Outputs& outputs() noexcept { return outputs_; }
     [[nodiscard]] Fields& fields() noexcept { return fields_; }
 
@@ -36,27 +37,6 @@ public:
     [[nodiscard]] bool has_fibers() const;
     /// True if a law has stress in the undeformed state, which is then not in equilibrium without load.
     [[nodiscard]] bool has_initial_stress() const;
-
-    // Old names of the functions of the parts.
-    double enclosed_volume(std::size_t cavity, Vec x, Vec gradient, std::span<double> by_motion = {}) {
-        return volumes_.of_cavity(cavity, x, gradient, by_motion);
-    }
-    [[nodiscard]] std::size_t cavity_count() const { return volumes_.count(); }
-    double load_volume(std::size_t load, Vec x, Vec gradient, std::span<double> by_motion = {}) {
-        return volumes_.of_load(load, x, gradient, by_motion);
-    }
-    [[nodiscard]] bool encloses_volume(std::size_t load) const { return volumes_.has_volume(load); }
-    double output(std::size_t index, Vec x, Vec gradient, LoadLevels* by_levels = nullptr) {
-        return outputs_.value(index, x, gradient, by_levels);
-    }
-    [[nodiscard]] std::size_t output_count() const { return outputs_.count(); }
-    [[nodiscard]] double load_power(Vec x, Vec velocity, const LoadLevels& levels, const LoadLevels& rates) {
-        return assembler_.load_power(x, velocity, levels, rates);
-    }
-    [[nodiscard]] double stored_energy(Vec x) { return fields_.stored_energy(x); }
-    [[nodiscard]] StretchSummary stretches(Vec x) { return fields_.stretches(x); }
-    [[nodiscard]] NodalFields gather_fields(Vec x) const { return fields_.gather(x); }
-    void spread_displacements(std::span<const double> nodal, Vec x) const { fields_.spread(nodal, x); }
 
 private:
     Discretization fe_;

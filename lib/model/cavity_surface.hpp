@@ -20,6 +20,4 @@ using RimEdge = std::vector<mesh::Index>;
 /// reference configuration.
 [[nodiscard]] std::vector<std::vector<RimEdge>> rims(const Case& model, std::span<const mesh::Facet> facets);
 
-using mesh::extent_m, mesh::plane_tolerance;
-
 }  // namespace soft::model

@@ -55,7 +55,7 @@ PathPoint restored_point(const model::StatePoint& stored, fem::System& system, c
     const auto size = static_cast<std::size_t>(system.dofs().total), free = loads.free_supplies().size();
     if (stored.unknowns.size() != size || stored.tangent_unknowns.size() != size ||
         stored.pressures_Pa.size() != free || stored.tangent_pressures.size() != free ||
-        stored.outputs.size() != system.output_count())
+        stored.outputs.size() != system.outputs().count())
         refuse_checkpoint("its number of unknowns differs from that of the case");
     PathPoint point;
     point.state = {system.make_vector(), stored.load_factor, stored.pressures_Pa};

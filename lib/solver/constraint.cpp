@@ -38,10 +38,10 @@ ConstraintValue evaluate(const Constraint& constraint, fem::System& system, cons
             result.by_pressures[constraint.index] = 1.0;
             return result;
         case ConstraintKind::volume:
-            result.value = system.load_volume(constraint.index, state.x, gradient, by_motion);
+            result.value = system.volumes().of_load(constraint.index, state.x, gradient, by_motion);
             break;
         case ConstraintKind::output:
-            result.value = system.output(constraint.index, state.x, gradient, &by_levels);
+            result.value = system.outputs().value(constraint.index, state.x, gradient, &by_levels);
             result.by_load_factor = fem::product(by_levels, loads.rate());
             for (std::size_t k = 0; k < free.size(); ++k) result.by_pressures[k] = by_levels.pressures_Pa[free[k]];
             return result;

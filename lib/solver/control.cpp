@@ -50,7 +50,7 @@ Constraint first_control(const fem::System& system, const model::Stage& stage) {
         case Control::arc_length: return {ConstraintKind::arc};
         case Control::volume:
             for (std::size_t load = 0; load < input.loads.size(); ++load) {
-                const bool encloses = system.encloses_volume(load);
+                const bool encloses = system.volumes().has_volume(load);
                 if (stage.controlled.empty() ? !encloses : input.loads[load].name != stage.controlled) continue;
                 if (encloses) return {ConstraintKind::volume, load};
             }
@@ -76,7 +76,7 @@ Constraint softer_control(const fem::System& system, const StageLoads& loads) {
         }
     for (const auto* list : {&rate.tractions, &rate.body_forces, &rate.motions})
         for (const double r : *list) others += r != 0.0 ? 1 : 0;
-    if (growing != 1 || others > 0 || !system.encloses_volume(*load)) return {ConstraintKind::arc};
+    if (growing != 1 || others > 0 || !system.volumes().has_volume(*load)) return {ConstraintKind::arc};
     return {ConstraintKind::volume, *load};
 }
 

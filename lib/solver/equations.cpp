@@ -59,7 +59,7 @@ MotionEquations::MotionEquations(fem::System& system, MassKind kind)
     for (std::size_t load = 0; load < input_.loads.size(); ++load) {
         const auto& line = input_.loads[load].line;
         if (!line) continue;
-        if (!system.encloses_volume(load) || !(line->resistance_Pa_s_m3 > 0.0))
+        if (!system.volumes().has_volume(load) || !(line->resistance_Pa_s_m3 > 0.0))
             refuse("loads." + input_.loads[load].name, "a supply line needs a cavity and a resistance above zero",
                    "set line.resistance, or remove the line");
         lines_.push_back({load, input_.loads[load].gas, supplies[load].value, line->resistance_Pa_s_m3});
@@ -104,7 +104,8 @@ MotionState MotionEquations::rest() const {
     MotionState state{0.0, system_.make_vector(), system_.make_vector(), system_.make_vector(), system_.make_vector(),
                       {}};
     for (const auto& line : lines_)
-        state.masses_kg.push_back(solver::gas_mass_kg(line.gas, system_.load_volume(line.load, state.x, nullptr), 0.0));
+        state.masses_kg.push_back(
+            solver::gas_mass_kg(line.gas, system_.volumes().of_load(line.load, state.x, nullptr), 0.0));
     return state;
 }
 
@@ -164,7 +165,7 @@ double MotionEquations::shortest_change_s() const {
 }
 
 double MotionEquations::line_volume(std::size_t k, Vec x, Vec gradient) {
-    return system_.load_volume(lines_.at(k).load, x, gradient);
+    return system_.volumes().of_load(lines_.at(k).load, x, gradient);
 }
 
 /// dP/dV = -n (P + a) / (V + D), dP/dm = n (P + a) / m of the polytropic gas.

@@ -76,7 +76,7 @@ std::optional<InverseIterate> iterate_inverse(Newton& newton, Vec b) {
 /// Scales a mode to a largest displacement of 1; the sign does not depend on the number of ranks.
 void normalize_mode(fem::System& system, Vec mode) {
     system.prescribe(fem::no_loads(system.input()));
-    const auto u = system.gather_fields(mode).displacement_m;
+    const auto u = system.fields().gather(mode).displacement_m;
     double factor = 0;
     for (const double component : u) factor = std::max(factor, std::abs(component));
     const auto first = std::ranges::find_if(u, [&](double component) { return std::abs(component) > 0.5 * factor; });

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/cavity_surface.hpp"
+#include "mesh/mesh.hpp"
 
 namespace soft::solver {
 
@@ -126,7 +126,7 @@ std::optional<PathPoint> point_along(Corrector& corrector, const PathState& path
 PathTangent leave_rest(Corrector& corrector, const State& rest, PathTangent slack) {
     PathTangent direction = std::move(slack);
     const model::Case& input = corrector.input();
-    const double visible_m = visible_strain * model::extent_m(input.mesh);
+    const double visible_m = visible_strain * mesh::extent_m(input.mesh);
     for (int piece = 0; piece < pieces; ++piece) {
         const double way = std::max(away_from_rest * input.solver.first_step, visible_m / linalg::norm(direction.x));
         auto next = corrector.newton().tangent({ConstraintKind::load_factor}, moved(rest, way, direction));

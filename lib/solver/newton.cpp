@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "model/cavity_surface.hpp"
+#include "mesh/mesh.hpp"
 
 namespace soft::solver {
 
@@ -137,7 +137,7 @@ std::optional<NewtonEnd> Newton::check_convergence(const State& state, Correctio
 double Newton::change_by_digits(const State& state, const fem::LoadLevels& levels) {
     const model::Case& input = system_.input();
     const double nodes = static_cast<double>(input.mesh.points.size());
-    const double cell_m = model::extent_m(input.mesh) / std::pow(nodes, 1.0 / input.mesh.dimension);
+    const double cell_m = mesh::extent_m(input.mesh) / std::pow(nodes, 1.0 / input.mesh.dimension);
     const linalg::Vector nearby = linalg::duplicate(state.x);
     linalg::copy(state.x, nearby);
     for (PetscInt i = system_.dofs().begin; i < system_.dofs().end; ++i) {

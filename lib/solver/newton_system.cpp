@@ -114,7 +114,7 @@ void Newton::evaluate_rows(const Constraint& constraint, const State& state) {
     const auto& motions = loads_->rate().motions;
     for (std::size_t k = 0; k < free.size(); ++k) {
         std::vector<double> by_motion(motions.size(), 0.0);
-        const double volume = system_.load_volume(free[k], state.x, gradients_[k], by_motion);
+        const double volume = system_.volumes().of_load(free[k], state.x, gradients_[k], by_motion);
         supply_.push_back(loads_->equation(k, volume, state.pressures_Pa[k], state.load_factor));
         volume_by_load_factor_.push_back(std::inner_product(by_motion.begin(), by_motion.end(), motions.begin(), 0.0));
     }

@@ -38,7 +38,7 @@ void check_case(const model::Case& input) {
 /// Where the next row will be.
 model::LimitPoint location_of(const PathPoint& point, const PathState& path, const fem::System& system) {
     model::LimitPoint location{path.rows, point.leading, std::nullopt, point.outputs};
-    if (!system.input().loads.empty() && system.encloses_volume(0)) location.volume_m3 = point.load_volumes_m3[0];
+    if (!system.input().loads.empty() && system.volumes().has_volume(0)) location.volume_m3 = point.load_volumes_m3[0];
     return location;
 }
 
@@ -154,7 +154,7 @@ bool PathFollower::pass_events(Events events) {
             path_.end.bifurcations.push_back({location, event.modes, {}});
             if (event.mode) {
                 system_.prescribe(fem::no_loads(input_));
-                path_.end.bifurcations.back().mode = system_.gather_fields(*event.mode).displacement_m;
+                path_.end.bifurcations.back().mode = system_.fields().gather(*event.mode).displacement_m;
             }
         }
         recorder_.append(path_, event.point);

@@ -42,9 +42,9 @@ State RefinedPath::carry_over(const RowState& coarse) {
     };
     const auto displacement = carried(coarse.displacement_m);
     SOFT_PETSC(VecZeroEntries(origin_));
-    system_.spread_displacements(displacement, origin_);
+    system_.fields().spread(displacement, origin_);
     SOFT_PETSC(VecZeroEntries(direction_));
-    system_.spread_displacements(carried(coarse.tangent), direction_);
+    system_.fields().spread(carried(coarse.tangent), direction_);
     nearest_ = {};
     if (const double length = linalg::norm(direction_); length > 0.0) {
         SOFT_PETSC(VecScale(direction_, 1.0 / length));
@@ -52,7 +52,7 @@ State RefinedPath::carry_over(const RowState& coarse) {
     }
     State state{linalg::duplicate(origin_), coarse.step.load_factor, coarse.free_pressures_Pa};
     linalg::copy(pressures_, state.x);
-    system_.spread_displacements(displacement, state.x);
+    system_.fields().spread(displacement, state.x);
     return state;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/cavity_surface.hpp"
+#include "mesh/mesh.hpp"
 #include "solver/row_state.hpp"
 
 namespace soft::solver {
@@ -138,7 +138,7 @@ bool is_first_try(const fem::System& system, const PathState& path, double step)
     if (!path.begins_stage() || system.input().solver.steps == model::StepRule::constant) return false;
     const double unknowns = static_cast<double>(system.dofs().total);
     const double moves = std::abs(step) * linalg::norm(path.last->tangent.x) / std::sqrt(unknowns);
-    return moves > motionless * model::extent_m(system.input().mesh);
+    return moves > motionless * mesh::extent_m(system.input().mesh);
 }
 
 double next_step(const model::SolverSettings& settings, const PathState& path, const Aim& aim,

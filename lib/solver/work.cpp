@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/cavity_surface.hpp"
+#include "mesh/mesh.hpp"
 #include "solver/row_state.hpp"
 
 namespace soft::solver {
@@ -24,7 +24,7 @@ constexpr double rounding_strain = 1e-10;
 double stored_energy_of(fem::System& system, PathPoint& point) {
     if (!point.stored_J) {
         system.prescribe(point.levels);
-        point.stored_J = system.stored_energy(point.state.x);
+        point.stored_J = system.fields().stored_energy(point.state.x);
     }
     return *point.stored_J;
 }
@@ -70,8 +70,7 @@ double work_of_step(Corrector& corrector, const PathState& path, PathPoint& from
 bool breaks_energy_balance(Corrector& corrector, PathState& path, PathPoint& to) {
     fem::System& system = corrector.system();
     const double mean_m = linalg::norm(to.state.x) / std::sqrt(static_cast<double>(system.dofs().total));
-    if (!system.has_symmetric_tangent() || mean_m < rounding_strain * model::extent_m(system.input().mesh))
-        return false;
+    if (!system.has_symmetric_tangent() || mean_m < rounding_strain * mesh::extent_m(system.input().mesh)) return false;
     to.step_work_J = work_of_step(corrector, path, *path.last, to);
     const double from_J = *path.last->stored_J, to_J = *to.stored_J;
     return std::abs(*to.step_work_J - (to_J - from_J)) > energy_jump * std::max(from_J, to_J);
