@@ -32,10 +32,7 @@ CavityVolumes::Rim CavityVolumes::make_rim(const std::vector<model::RimEdge>& ed
         nodes.insert(edge.begin(), edge.end());
     }
     rim.nodes = nodes.size();
-    for (std::size_t i = 0; i < 3; ++i)  // nodes of a cut lie on its plane exactly
-        rim.on_plane[i] = fe_.input.symmetry_planes[i] && std::ranges::any_of(nodes, [&](mesh::Index node) {
-                              return fe_.input.mesh.point(node)[i] == 0.0;
-                          });
+    rim.on_plane = model::planes_through(fe_.input, edges);
     return rim;
 }
 

@@ -70,6 +70,16 @@ std::vector<std::vector<RimEdge>> rims(const Case& model, std::span<const mesh::
     return out;
 }
 
+std::array<bool, 3> planes_through(const Case& model, std::span<const RimEdge> rim) {
+    const double tolerance_m = mesh::plane_tolerance * mesh::extent_m(model.mesh);
+    std::array<bool, 3> cut{};
+    for (std::size_t d = 0; d < 3; ++d)
+        for (const RimEdge& edge : rim)
+            for (const Index node : edge)
+                cut[d] = cut[d] || (model.symmetry_planes[d] && std::abs(model.mesh.point(node)[d]) <= tolerance_m);
+    return cut;
+}
+
 std::vector<mesh::Facet> cavity_facets(const Case& model, const Cavity& cavity) {
     std::vector<std::string> faces{cavity.wall};
     faces.insert(faces.end(), cavity.inner_faces.begin(), cavity.inner_faces.end());

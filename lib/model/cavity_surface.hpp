@@ -20,4 +20,7 @@ using RimEdge = std::vector<mesh::Index>;
 /// reference configuration.
 [[nodiscard]] std::vector<std::vector<RimEdge>> rims(const Case& model, std::span<const mesh::Facet> facets);
 
+/// The symmetry planes x, y, z = 0 that cut a rim.
+[[nodiscard]] std::array<bool, 3> planes_through(const Case& model, std::span<const RimEdge> rim);
+
 }  // namespace soft::model

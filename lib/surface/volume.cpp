@@ -12,7 +12,7 @@ using mesh::Index;
 using mesh::Point;
 using model::RimEdge;
 
-/// Mean of the rim's nodes, projected onto the symmetry planes (which contain the mean of the mirrored rim).
+/// Mean of the nodes of the whole rim, which lies on the symmetry planes that cut it.
 Point apex(const model::Case& model, const std::vector<RimEdge>& rim, std::span<const Point> positions) {
     std::set<Index> nodes;
     for (const RimEdge& edge : rim) nodes.insert(edge.begin(), edge.end());
@@ -20,8 +20,9 @@ Point apex(const model::Case& model, const std::vector<RimEdge>& rim, std::span<
     for (const Index node : nodes)
         for (std::size_t d = 0; d < 3; ++d)
             mean[d] += positions[static_cast<std::size_t>(node)][d] / static_cast<double>(nodes.size());
+    const auto cut = model::planes_through(model, rim);
     for (std::size_t d = 0; d < 3; ++d)
-        if (model.symmetry_planes[d]) mean[d] = 0;
+        if (cut[d]) mean[d] = 0;
     return mean;
 }
 
