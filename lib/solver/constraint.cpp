@@ -7,11 +7,13 @@
 
 namespace soft::solver {
 
-State copy_of(const State& state) {
-    State copy{linalg::duplicate(state.x), state.load_factor, state.pressures_Pa};
-    linalg::copy(state.x, copy.x);
+linalg::Vector copy_of(Vec x) {
+    linalg::Vector copy = linalg::duplicate(x);
+    linalg::copy(x, copy);
     return copy;
 }
+
+State copy_of(const State& state) { return {copy_of(state.x), state.load_factor, state.pressures_Pa}; }
 
 std::string_view name(ConstraintKind kind) {
     switch (kind) {

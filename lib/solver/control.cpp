@@ -22,8 +22,7 @@ constexpr int failures_before_other_control = 3;
 
 /// Relative change, over the last step, of the path's tangent per unit of a control.
 double bend_under(const Constraint& control, const PathPoint& before, const PathPoint& last) {
-    linalg::Vector change = linalg::duplicate(last.tangent.x);
-    linalg::copy(last.tangent.x, change);
+    const linalg::Vector change = copy_of(last.tangent.x);
     linalg::add(change, -control_slope(control, last) / control_slope(control, before), before.tangent.x);
     return linalg::norm(change) / linalg::norm(last.tangent.x);
 }

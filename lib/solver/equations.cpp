@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "solver/constraint.hpp"
 
 namespace soft::solver {
 
@@ -23,14 +24,8 @@ const model::Dynamics& dynamics_of(const model::Case& input) {
 }
 
 MotionState copy_of(const MotionState& state) {
-    MotionState copy;
-    copy.time_s = state.time_s;
-    copy.masses_kg = state.masses_kg;
-    for (const auto member : {&MotionState::x, &MotionState::v, &MotionState::a, &MotionState::load_force}) {
-        copy.*member = linalg::duplicate(state.*member);
-        linalg::copy(state.*member, copy.*member);
-    }
-    return copy;
+    return {state.time_s,     copy_of(state.x),          copy_of(state.v),
+            copy_of(state.a), copy_of(state.load_force), state.masses_kg};
 }
 
 void fill_with_waves(Vec out) {
@@ -38,8 +33,7 @@ void fill_with_waves(Vec out) {
     SOFT_PETSC(VecGetOwnershipRange(out, &begin, &end));
     for (PetscInt i = begin; i < end; ++i)
         SOFT_PETSC(VecSetValue(out, i, std::sin(1.0 + 12.9898 * static_cast<double>(i)), INSERT_VALUES));
-    SOFT_PETSC(VecAssemblyBegin(out));
-    SOFT_PETSC(VecAssemblyEnd(out));
+    linalg::assemble(out);
 }
 
 MotionEquations::MotionEquations(fem::System& system, MassKind kind)

@@ -27,8 +27,7 @@ double slope_of(const Constraint& constraint, const PathPoint& point) {
 }
 
 double distance(Vec a, Vec b) {
-    linalg::Vector difference = linalg::duplicate(a);
-    linalg::copy(a, difference);
+    const linalg::Vector difference = copy_of(a);
     linalg::add(difference, -1.0, b);
     return linalg::norm(difference);
 }

@@ -92,8 +92,7 @@ bool turns_within(const PathState& path, double step, const PathTangent& turned,
     const double length = path.direction() * linalg::norm(path.last->tangent.x);
     const double cosine = linalg::dot(turned.x, path.last->tangent.x) / length;
     if (cosine > roughly_along) return true;
-    linalg::Vector rest = linalg::duplicate(x);
-    linalg::copy(x, rest);
+    const linalg::Vector rest = copy_of(x);
     linalg::add(rest, -1.0, path.last->state.x);
     const double by_old = linalg::dot(rest, path.last->tangent.x) / length, by_new = linalg::dot(rest, turned.x);
     const double sine2 = 1.0 - cosine * cosine;

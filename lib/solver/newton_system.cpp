@@ -9,16 +9,16 @@ namespace soft::solver {
 
 namespace {
 
-linalg::Symmetry symmetry_of(const fem::System& system) {
-    return system.has_symmetric_tangent() ? linalg::Symmetry::symmetric : linalg::Symmetry::general;
-}
-
 model::SolverSettings with_choice(const fem::System& system, model::SolverSettings settings) {
     settings.linear = fem::choose_linear(settings.linear, system.input(), system.dofs().total);
     return settings;
 }
 
 }  // namespace
+
+linalg::Symmetry symmetry_of(const fem::System& system) {
+    return system.has_symmetric_tangent() ? linalg::Symmetry::symmetric : linalg::Symmetry::general;
+}
 
 Newton::Newton(fem::System& system, const model::SolverSettings& settings)
     : system_(system),
@@ -66,8 +66,7 @@ fem::Evaluation Newton::evaluate_at(const State& state, Assemble what) {
     const auto evaluation = system_.evaluate(state.x, levels, R_, matrix, wanted_);
     assembled_at_.reset();
     if (matrix == K_ && evaluation.admissible()) {
-        assembled_at_.emplace(State{linalg::duplicate(state.x), state.load_factor, state.pressures_Pa});
-        linalg::copy(state.x, assembled_at_->x);
+        assembled_at_ = copy_of(state);
     }
     return evaluation;
 }

@@ -120,8 +120,7 @@ void PathFollower::step() {
     path_.attempts = {};
     report_row(describe(*point) + row_text(*point, error, corrector_.last_result().iterations));
 
-    EventLocator locator(corrector_, path_, listeners_);
-    const auto contact = locator.find_contact(*point);
+    const auto contact = find_contact(corrector_, path_, listeners_, *point);
     const Goal* goal = aim.crossing && !contact ? aim.crossing->goal : nullptr;
     if (const auto passed = goal != nullptr ? std::nullopt : first_between(path_.goals, *path_.last, *point)) {
         goal = passed->goal;
@@ -129,7 +128,7 @@ void PathFollower::step() {
                                     predict(&*path_.last, *point, passed->q));
         if (!point) return recover();
     }
-    if (pass_events(locator.events_before(*point))) return;
+    if (pass_events(events_before(*point, corrector_, path_, listeners_))) return;
 
     commit(std::move(*point));
     if (goal != nullptr) return end_stage(goal->text);

@@ -3,13 +3,13 @@
 ///   stages.hpp         loads, goals and first step of each stage
 ///   stepping.hpp       aim of a step, check of the state found there, size of the next step
 ///   corrector.hpp      Newton's method and the path's tangent; kink.hpp where fibres become taut or slack
-///   event_locator.hpp  contact, limit points, bifurcations between two states
+///   events.hpp         contact, limit points, bifurcations between two states
 ///   control.hpp        the controlled quantity and its change
 ///   recorder.hpp       rows (with work.hpp: the work of the loads), checkpoints
 ///   path_end.hpp       ends of paths that do not reach their load
 /// What a converged state changes besides the row (contact states, internal variables of materials) belongs into commit(), what is
-/// computed at it (sensitivities) into Recorder::append, events of new kinds into EventLocator::events_before.
-#include "solver/event_locator.hpp"
+/// computed at it (sensitivities) into Recorder::append, events of new kinds into events_before.
+#include "solver/events.hpp"
 #include "solver/recorder.hpp"
 
 namespace soft::solver {
