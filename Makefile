@@ -8,7 +8,7 @@ CXX_FILES = $(shell find lib tools tests -name '*.cpp' -o -name '*.hpp')
 
 help:
 	@echo 'make run     run mesh-gen | solve | postprocess on DESIGN (default designs/bellows.yaml); output in results/'
-	@echo 'make test    build and run the tests of a few minutes; LABEL=unit, verification, pipeline, extended or slow selects tests'
+	@echo 'make test    build and run the tests of a few minutes; LABEL=unit, verification, pipeline or extended selects tests'
 	@echo 'make test-all  all tests that CI runs'
 	@echo 'make verify  compute the verification table: terminal, results/verification.csv, tests/verification/README.md'
 	@echo 'make build   build everything in build/ (binaries in build/bin)'
