@@ -7,8 +7,8 @@
 ///   control.hpp        the controlled quantity and its change
 ///   recorder.hpp       rows (with work.hpp: the work of the loads), checkpoints
 ///   path_end.hpp       ends of paths that do not reach their load
-/// What a converged state changes besides the row (contact states, internal variables of materials) belongs into commit(), what is
-/// computed at it (sensitivities) into Recorder::append, events of new kinds into events_before.
+/// What a new row changes besides the output (the internal variables of materials, the state of a contact) belongs in commit(); what is
+/// computed at a row (sensitivities) in Recorder::append; new kinds of events in events_before().
 #include "solver/events.hpp"
 #include "solver/recorder.hpp"
 
