@@ -32,7 +32,7 @@ solver::ContactCheck contact_check(fem::System& system) {
     // std::function copies its captures, and a ContactFinder cannot be copied: hence the shared_ptr.
     const auto finder = rank == 0 ? std::make_shared<const contact::ContactFinder>(system.input()) : nullptr;
     return [&system, finder](Vec x) {
-        const auto fields = system.gather_fields(x);
+        const auto fields = system.fields().gather(x);
         std::optional<solver::ContactEvent> found;
         const linalg::ScopedTimer timed(linalg::Phase::contact);
         if (finder)

@@ -12,13 +12,13 @@
 #include "geometry/build.hpp"
 #include "geometry/family.hpp"
 #include "io/case_file.hpp"
+#include "mesh/mesh.hpp"
 #include "mesh_gen_options.hpp"
 #include "mesh_summary.hpp"
 #include "meshing/body_surface.hpp"
 #include "meshing/fine_triangles.hpp"
 #include "meshing/part_file.hpp"
 #include "meshing/surface_file.hpp"
-#include "model/cavity_surface.hpp"
 #include "part_description.hpp"
 
 namespace {
@@ -51,7 +51,7 @@ std::string write_surface(const model::Case& model, const std::string& file) {
     // 0.01 mm for a bellows of 100 mm: relative error of radii and volume below 0.03 %.
     constexpr double share_of_extent = 1e-4;
     const surface::Triangles triangles = meshing::fine_triangles(model.mesh, mesh::boundary_facets(model.mesh),
-                                                                 share_of_extent * model::extent_m(model.mesh));
+                                                                 share_of_extent * mesh::extent_m(model.mesh));
     cli::write_output(file, meshing::surface_file(triangles, file), cli::Content::binary);
     std::string line = file + ": " + std::to_string(triangles.triangles.size()) + " triangles";
     if (model.model_fraction < 1)

@@ -127,7 +127,7 @@ SolveSummary follow(fem::System& system, const Task& task, const SolveOptions& o
     };
     std::vector<solver::RowState> rows;  // kept for --tolerance
     const auto sink = [&](const model::Step& step, Vec x) {
-        const auto fields = system.gather_fields(x);
+        const auto fields = system.fields().gather(x);
         if (writer == nullptr) return;
         const linalg::ScopedTimer timed(linalg::Phase::writing);
         writer->append(step, fields.displacement_m, fields.pressure_Pa);

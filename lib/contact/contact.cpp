@@ -12,7 +12,7 @@
 #include "contact/crossing.hpp"
 #include "contact/hinges.hpp"
 #include "contact/inverted_wall.hpp"
-#include "model/cavity_surface.hpp"
+#include "mesh/mesh.hpp"
 #include "model/location.hpp"
 #include "surface/free_facets.hpp"
 
@@ -83,7 +83,7 @@ public:
           names_(face_names(model)),
           facets_(mesh_, free_),
           undeformed_(facets_.shape(mesh_.points)),
-          tolerance_m_(model::plane_tolerance * model::extent_m(mesh_)) {
+          tolerance_m_(mesh::plane_tolerance * mesh::extent_m(mesh_)) {
         for (std::size_t d = 0; d < 3; ++d) {
             double sum = 0;
             for (const Point& p : mesh_.points) sum += p[d];

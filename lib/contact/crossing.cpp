@@ -11,8 +11,6 @@ using mesh::Point;
 using Weights = std::array<double, 3>;  ///< of a piece's corners
 using Triangle = std::array<Point, 3>;
 
-Vector3 difference(const Point& a, const Point& b) { return along(a, -1, b); }
-
 surface::Box grown(surface::Box box, double margin_m) {
     for (std::size_t d = 0; d < 3; ++d) {
         box.low[d] -= margin_m;

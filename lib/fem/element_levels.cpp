@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 
 #include "core/error.hpp"
 #include "fem/near_nullspace.hpp"
@@ -83,8 +82,7 @@ linalg::Matrix make_interpolation(const System& system, const Numbering& fine, c
                     MatSetValue(P, fine.number[dof], coarse.number[vertex], weights[node].values[v], INSERT_VALUES));
             }
         }
-    SOFT_PETSC(MatAssemblyBegin(P, MAT_FINAL_ASSEMBLY));
-    SOFT_PETSC(MatAssemblyEnd(P, MAT_FINAL_ASSEMBLY));
+    linalg::assemble(P);
     return P;
 }
 
@@ -110,26 +108,17 @@ std::vector<linalg::PressureBlock> pressure_blocks(const System& system) {
     using linalg::PressureBlock;
     const model::Case& input = system.input();
     const DofMap& map = system.dofs();
-    std::vector<double> modulus_Pa, X, of_vertex(input.mesh.points.size(), 0.0);
-    for (const auto& region : input.mesh.region_names) {
-        const auto& material = *std::ranges::find(input.materials, region, &model::Material::name);
-        modulus_Pa.push_back(material::initial_shear_modulus_Pa(make_rubber(material, input.formulation)));
-    }
-    std::map<mesh::CellType, fem::ReferenceCell> references;
+    std::vector<double> modulus_Pa, of_vertex(input.mesh.points.size(), 0.0);
+    for (const auto& rubber : system.discretization().rubbers)
+        modulus_Pa.push_back(material::initial_shear_modulus_Pa(rubber));
     std::vector<PlacedBlock> placed;
     const auto is_own = [&](PetscInt dof) { return dof >= map.begin && dof < map.end; };
     for (Index cell = 0; cell < input.mesh.cell_count(); ++cell) {
-        const auto type = input.mesh.cell_type(cell);
-        auto found = references.find(type);
-        if (found == references.end())
-            found = references.emplace(type, fem::make_reference_cell(type, input.formulation)).first;
-        const auto& reference = found->second;
+        const auto& reference = reference_of(system.discretization().references, input.mesh.cell_type(cell));
         const bool discontinuous = reference.pressure == fem::PressureSpace::discontinuous_linear;
         if (reference.pressure_dofs == 0 || (discontinuous && !is_own(map.cell_pressure[cell]))) continue;
         const auto nodes = input.mesh.cell_nodes(cell);
-        X.clear();
-        for (int i = 0; i < map.dimension; ++i)
-            for (const Index node : nodes) X.push_back(input.mesh.point(node)[i]);
+        const auto X = mesh::by_component(input.mesh.points, nodes, map.dimension);
         auto mass = fem::pressure_mass(reference, input.kinematics, X, map.pressure_scale_Pa);
         for (double& m : mass) m /= modulus_Pa[input.mesh.cell_regions[cell]];
         if (discontinuous)

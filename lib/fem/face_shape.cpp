@@ -1,20 +1,22 @@
 #include "fem/face_shape.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "fem/circle_fit.hpp"
 #include "fem/plane_axes.hpp"
-#include "linalg/small_matrix.hpp"
 #include "math/spectral.hpp"
 
 namespace soft::fem {
 
 namespace {
 
-using linalg::SmallMatrix;
+using Eigen::Matrix3d, Eigen::Matrix4d, Eigen::Vector4d;
 using Points = std::vector<Vector3>;
+
+Eigen::Vector3d as_eigen(const Vector3& v) { return {v[0], v[1], v[2]}; }
 
 double sum_of(const std::vector<double>& weights) { return std::accumulate(weights.begin(), weights.end(), 0.0); }
 
@@ -25,8 +27,6 @@ Vector3 mean_of(const Points& points, const std::vector<double>& weights) {
     for (double& m : mean) m /= sum_of(weights);
     return mean;
 }
-
-Vector3 minus(const Vector3& a, const Vector3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
 Vector3 across_of(const Vector3& p, const Vector3& d) {
     const double along = dot(p, d);
@@ -47,77 +47,52 @@ double radial(const FaceShape& shape, const Points& x, Points* gradient) {
 }
 
 /// Horn's matrix of S = sum w X x^T: the eigenvector of its largest eigenvalue is the unit quaternion of the rotation.
-SmallMatrix horn(const Tensor& S) {
-    SmallMatrix N(4);
-    const std::array<double, 3> skew{S[5] - S[7], S[6] - S[2], S[1] - S[3]};
-    N.at(0, 0) = trace(S);
-    for (int i = 0; i < 3; ++i) {
-        N.at(0, i + 1) = N.at(i + 1, 0) = skew[static_cast<std::size_t>(i)];
-        for (int j = 0; j < 3; ++j)
-            N.at(i + 1, j + 1) = S[static_cast<std::size_t>(3 * i + j)] + S[static_cast<std::size_t>(3 * j + i)] -
-                                 (i == j ? trace(S) : 0.0);
-    }
+Matrix4d horn(const Matrix3d& S) {
+    Matrix4d N;
+    N(0, 0) = S.trace();
+    N.bottomLeftCorner<3, 1>() = Eigen::Vector3d(S(1, 2) - S(2, 1), S(2, 0) - S(0, 2), S(0, 1) - S(1, 0));
+    N.topRightCorner<1, 3>() = N.bottomLeftCorner<3, 1>().transpose();
+    N.bottomRightCorner<3, 3>() = S + S.transpose() - S.trace() * Matrix3d::Identity();
     return N;
 }
 
-double form(const std::array<double, 4>& y, const SmallMatrix& N, const std::array<double, 4>& q) {
-    double sum = 0;
-    for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j) sum += y[static_cast<std::size_t>(i)] * N.at(i, j) * q[static_cast<std::size_t>(j)];
-    return sum;
-}
-
 /// The component of the rotation vector of a unit quaternion q, q[0] >= 0, and its derivative by q.
-double rotation_of(const std::array<double, 4>& q, const Vector3& d, std::array<double, 4>& by_q) {
+double rotation_of(const Vector4d& q, const Vector3& d, Vector4d& by_q) {
     const Vector3 v{q[1], q[2], q[3]};
-    const double s = std::sqrt(dot(v, v)), along = dot(v, d);
+    const double s = norm(v), along = dot(v, d);
     constexpr double series_below = 1e-4;  // the next term is s^2 smaller
     const double half = std::atan2(s, q[0]);
     const double factor = s > series_below ? 2 * half / s : 2 + s * s / 3;
     const double by_length = s > series_below ? 2 * (q[0] - half / s) / (s * s) : -4.0 / 3.0;
-    by_q = {-2 * along, 0, 0, 0};
-    for (std::size_t i = 0; i < 3; ++i) by_q[i + 1] = factor * d[i] + along * by_length * v[i];
+    by_q << -2 * along, factor * as_eigen(d) + along * by_length * as_eigen(v);
     return factor * along;
 }
 
 double rotation(const FaceShape& shape, const Points& x, Points* gradient) {
     const Vector3 mean_X = mean_of(shape.X, shape.weights), mean_x = mean_of(x, shape.weights);
-    Tensor S{};
-    for (std::size_t a = 0; a < x.size(); ++a) {
-        const Vector3 there = minus(shape.X[a], mean_X), here = minus(x[a], mean_x);
-        for (std::size_t i = 0; i < 3; ++i)
-            for (std::size_t j = 0; j < 3; ++j) S[3 * i + j] += shape.weights[a] * there[i] * here[j];
-    }
-    const auto eigen = linalg::symmetric_eigen(horn(S));
-    const auto vector = [&](int k) {
-        std::array<double, 4> v{};
-        for (int i = 0; i < 4; ++i) v[static_cast<std::size_t>(i)] = eigen.vectors.at(k, i);
-        return v;
-    };
-    std::array<double, 4> q = vector(3), by_q{}, y{};
-    if (q[0] < 0)
-        for (double& component : q) component = -component;
+    Matrix3d S = Matrix3d::Zero();
+    for (std::size_t a = 0; a < x.size(); ++a)
+        S += shape.weights[a] * as_eigen(difference(shape.X[a], mean_X)) *
+             as_eigen(difference(x[a], mean_x)).transpose();
+    const Eigen::SelfAdjointEigenSolver<Matrix4d> eigen(horn(S));  // ascending
+    Vector4d q = eigen.eigenvectors().col(3), by_q, y = Vector4d::Zero();
+    if (q[0] < 0) q = -q;
     const double value = rotation_of(q, shape.direction, by_q);
     if (gradient == nullptr) return value;
     for (int k = 0; k < 3; ++k) {
-        const auto v = vector(k);
-        const double share = std::inner_product(v.begin(), v.end(), by_q.begin(), 0.0) /
-                             (eigen.values[3] - eigen.values[static_cast<std::size_t>(k)]);
-        for (std::size_t i = 0; i < 4; ++i) y[i] += share * v[i];
+        const Vector4d v = eigen.eigenvectors().col(k);
+        y += v.dot(by_q) / (eigen.eigenvalues()[3] - eigen.eigenvalues()[k]) * v;
     }
-    Tensor by_S{};
-    for (std::size_t k = 0; k < 9; ++k) {
-        Tensor unit{};
-        unit[k] = 1;
-        by_S[k] = form(y, horn(unit), q);
-    }
-    for (std::size_t a = 0; a < x.size(); ++a) {
-        const Vector3 there = minus(shape.X[a], mean_X);
-        for (std::size_t j = 0; j < 3; ++j) {
-            (*gradient)[a][j] = 0;
-            for (std::size_t i = 0; i < 3; ++i) (*gradient)[a][j] += shape.weights[a] * there[i] * by_S[3 * i + j];
+    Matrix3d by_S;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+            Matrix3d unit = Matrix3d::Zero();
+            unit(i, j) = 1;
+            by_S(i, j) = y.dot(horn(unit) * q);
         }
-    }
+    for (std::size_t a = 0; a < x.size(); ++a)
+        Eigen::Map<Eigen::Vector3d>((*gradient)[a].data()) =
+            shape.weights[a] * by_S.transpose() * as_eigen(difference(shape.X[a], mean_X));
     return value;
 }
 
@@ -126,7 +101,7 @@ Vector3 longest_direction(const FaceShape& shape) {
     const Vector3 mean = mean_of(shape.X, shape.weights);
     Tensor moments{};
     for (std::size_t a = 0; a < shape.X.size(); ++a) {
-        const Vector3 p = across_of(minus(shape.X[a], mean), shape.direction);
+        const Vector3 p = across_of(difference(shape.X[a], mean), shape.direction);
         for (std::size_t i = 0; i < 3; ++i)
             for (std::size_t j = 0; j < 3; ++j) moments[3 * i + j] += shape.weights[a] * p[i] * p[j];
     }
@@ -149,7 +124,7 @@ double curvature(const FaceShape& shape, const Points& x, Points* gradient) {
     const Vector3 t = longest_direction(shape), mean = mean_of(x, shape.weights);
     std::vector<PlanePoint> points, by_points;
     for (const Vector3& position : x) {
-        const Vector3 p = minus(position, mean);
+        const Vector3 p = difference(position, mean);
         points.push_back({dot(p, axes[0]), dot(p, axes[1])});
     }
     std::vector<std::size_t> along(x.size());

@@ -33,18 +33,6 @@ PointTable point_table(mesh::CellType type) {
     return table;
 }
 
-std::vector<double> densities(const model::Case& input) {
-    std::vector<double> density;
-    for (const auto& region : input.mesh.region_names) {
-        const auto material = std::ranges::find(input.materials, region, &model::Material::name);
-        if (material == input.materials.end() || !material->density_kg_m3)
-            throw Error(ExitCode::bad_input, "materials/" + region, "dynamics and natural frequencies need the density",
-                        "add material.density, for example 1080 kg/m^3");
-        density.push_back(*material->density_kg_m3);
-    }
-    return density;
-}
-
 /// Undeformed volume of one quadrature point (axisymmetric: 2 pi R dA).
 double point_volume(const model::Case& input, std::span<const Index> nodes, const std::vector<mesh::ShapeValue>& shapes,
                     double weight) {
@@ -65,13 +53,11 @@ double point_volume(const model::Case& input, std::span<const Index> nodes, cons
 template <class Visit>
 void for_each_cell_mass(const System& system, Visit&& visit) {
     const model::Case& input = system.input();
-    const auto density = densities(input);
-    int rank = 0;
-    MPI_Comm_rank(system.comm(), &rank);
+    const auto density = densities_kg_m3(input);
     std::map<mesh::CellType, PointTable> tables;
     std::vector<PetscInt> dofs;
     for (Index cell = 0; cell < input.mesh.cell_count(); ++cell) {
-        if (system.dofs().cell_rank[cell] != rank) continue;
+        if (system.dofs().cell_rank[cell] != system.discretization().rank) continue;
         const auto type = input.mesh.cell_type(cell);
         auto found = tables.find(type);
         if (found == tables.end()) found = tables.emplace(type, point_table(type)).first;
@@ -102,8 +88,7 @@ linalg::Matrix consistent_mass(const System& system) {
             SOFT_PETSC(MatSetValues(M, n, rows, n, rows, mass.data(), ADD_VALUES));
         }
     });
-    SOFT_PETSC(MatAssemblyBegin(M, MAT_FINAL_ASSEMBLY));
-    SOFT_PETSC(MatAssemblyEnd(M, MAT_FINAL_ASSEMBLY));
+    linalg::assemble(M);
     return M;
 }
 
@@ -122,8 +107,7 @@ linalg::Vector lumped_mass(const System& system) {
             SOFT_PETSC(VecSetValues(lumped, static_cast<PetscInt>(n), dofs.data() + static_cast<std::size_t>(i) * n,
                                     share.data(), ADD_VALUES));
     });
-    SOFT_PETSC(VecAssemblyBegin(lumped));
-    SOFT_PETSC(VecAssemblyEnd(lumped));
+    linalg::assemble(lumped);
     return lumped;
 }
 
@@ -138,8 +122,7 @@ linalg::Vector displacement_mask(const System& system) {
     for (Index cell = 0; cell < system.input().mesh.cell_count(); ++cell)
         if (map.cell_pressure[cell] >= 0)
             for (int s = 0; s <= map.dimension; ++s) clear(map.cell_pressure[cell] + s);  // {1, X - Xc, ...}
-    SOFT_PETSC(VecAssemblyBegin(mask));
-    SOFT_PETSC(VecAssemblyEnd(mask));
+    linalg::assemble(mask);
     return mask;
 }
 

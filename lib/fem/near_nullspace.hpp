@@ -2,7 +2,6 @@
 /// The rigid motions of the body as vectors of unknowns: an unconstrained elastic body does not resist them. Smoothed aggregation
 /// (linalg: gamg) builds its coarse spaces from them (Vanek, Mandel and Brezina 1996). Fixed components and pressures are
 /// omitted, so the vectors are near the null space of K, not in it.
-/// solid: 3 translations, 3 rotations; plane strain: 2 and 1; axisymmetric: the translation along the axis.
 #include "fem/system.hpp"
 
 namespace soft::fem {

@@ -4,9 +4,9 @@
 #include <map>
 
 #include "core/error.hpp"
-#include "fem/pressure_kernel.hpp"
 #include "fem/solid_kernel.hpp"
 #include "mesh/locate.hpp"
+#include "model/facet_integrals.hpp"
 
 namespace soft::fem {
 
@@ -21,74 +21,39 @@ void add_component(Index node, int i, double value, const DofMap& map, SparseVec
     vector.values.push_back(value);
 }
 
-NodalForces spread(const FaceWeights& weights, const std::array<double, 3>& factor) {
-    NodalForces forces{weights.nodes, {}};
-    for (const double weight : weights.weights_m2)
+NodalForces spread(std::vector<Index> nodes, const std::vector<double>& weights, const Vector3& factor) {
+    NodalForces forces{std::move(nodes), {}};
+    for (const double weight : weights)
         forces.forces_N.push_back({factor[0] * weight, factor[1] * weight, factor[2] * weight});
     return forces;
 }
 
-/// Ascending, so that sums run in the same order on every rank.
-FaceWeights listed(const std::map<Index, double>& shares) {
-    FaceWeights weights;
-    for (const auto& [node, share] : shares) {
-        weights.nodes.push_back(node);
-        weights.weights_m2.push_back(share);
-    }
-    return weights;
+model::FaceWeights weights_of(const model::Case& input, const std::string& face) {
+    return model::face_weights(input.mesh, input.kinematics, face);
 }
 
-std::vector<double> densities(const model::Case& input, const std::string& load) {
-    std::vector<double> density;
-    for (const auto& region : input.mesh.region_names) {
-        const auto material = std::ranges::find(input.materials, region, &model::Material::name);
-        if (material == input.materials.end() || !material->density_kg_m3)
-            throw Error(ExitCode::bad_input, "loads." + load, "the material has no density",
-                        "add material.density, for example 1080 kg/m^3");
-        density.push_back(*material->density_kg_m3);
-    }
-    return density;
+NodalForces spread(const model::FaceWeights& weights, const Vector3& factor) {
+    return spread(weights.nodes, weights.weights_m2, factor);
 }
 
 }  // namespace
 
-FaceWeights face_weights(const model::Case& input, const std::string& face) {
-    const mesh::Mesh& mesh = input.mesh;
-    const auto set = mesh.facet_sets.find(face);
-    if (set == mesh.facet_sets.end() || set->second.empty())
-        throw Error(ExitCode::bad_input, "loads", "no face is called '" + face + "'");
-    std::map<Index, double> shares;
-    double area = 0;
-    for (const auto& facet : set->second) {
-        const auto reference = fem::make_reference_facet(mesh::facet_type(mesh, facet));
-        const auto nodes = mesh::facet_nodes(mesh, facet);
-        std::vector<double> X(reference.dofs()), share(reference.nodes, 0.0);
-        for (int i = 0; i < mesh.dimension; ++i)
-            for (int a = 0; a < reference.nodes; ++a) X[i * reference.nodes + a] = mesh.point(nodes[a])[i];
-        area += fem::facet_area(reference, input.kinematics, X, share);
-        for (int a = 0; a < reference.nodes; ++a) shares[nodes[a]] += share[a];
-    }
-    FaceWeights weights = listed(shares);
-    weights.area_m2 = area;
-    return weights;
-}
-
 SparseVector mean_displacement(const model::Case& input, const DofMap& map, const std::string& face,
-                               const std::array<double, 3>& direction) {
-    const FaceWeights weights = face_weights(input, face);
+                               const Vector3& direction) {
+    const model::FaceWeights weights = weights_of(input, face);
     SparseVector mean = on_unknowns(spread(weights, direction), map);
     for (double& value : mean.values) value /= weights.area_m2;
     return mean;
 }
 
 SparseVector point_displacement(const model::Case& input, const DofMap& map, const std::string& name,
-                                const mesh::Point& point, const std::array<double, 3>& direction) {
+                                const mesh::Point& point, const Vector3& direction) {
     const auto location = mesh::locate(input.mesh, point);
     if (!location)
         throw Error(ExitCode::bad_input, "outputs." + name, "the point is outside the mesh",
                     "use a point of the undeformed part");
     const auto nodes = input.mesh.cell_nodes(location->cell);
-    return on_unknowns(spread({{nodes.begin(), nodes.end()}, location->weights, 1.0}, direction), map);
+    return on_unknowns(spread({nodes.begin(), nodes.end()}, location->weights, direction), map);
 }
 
 SparseVector on_unknowns(const NodalForces& forces, const DofMap& map) {
@@ -98,8 +63,8 @@ SparseVector on_unknowns(const NodalForces& forces, const DofMap& map) {
     return vector;
 }
 
-NodalForces face_force(const model::Case& input, const std::string& face, const std::array<double, 3>& traction_Pa) {
-    return spread(face_weights(input, face), traction_Pa);
+NodalForces face_force(const model::Case& input, const std::string& face, const Vector3& traction_Pa) {
+    return spread(weights_of(input, face), traction_Pa);
 }
 
 NodalForces plug_force(const model::Case& input, const model::PressureLoad& load) {
@@ -109,7 +74,7 @@ NodalForces plug_force(const model::Case& input, const model::PressureLoad& load
         const auto cavity = std::ranges::find(input.cavities, target, &model::Cavity::name);
         if (cavity == input.cavities.end()) continue;
         for (const auto& opening : cavity->openings) {
-            const FaceWeights weights = face_weights(input, opening.face);
+            const model::FaceWeights weights = weights_of(input, opening.face);
             const NodalForces mean = spread(weights, opening.direction);
             plugs.nodes.insert(plugs.nodes.end(), mean.nodes.begin(), mean.nodes.end());
             for (auto force : mean.forces_N) {
@@ -121,29 +86,32 @@ NodalForces plug_force(const model::Case& input, const model::PressureLoad& load
     return plugs;
 }
 
-NodalForces body_force(const model::Case& input, std::span<const fem::ReferenceCell> references,
-                       const model::BodyForce& force) {
-    const mesh::Mesh& mesh = input.mesh;
-    const auto density = densities(input, force.name);
-    std::map<Index, double> mass;
-    std::vector<fem::PointState> points;
+NodalForces body_force(const Discretization& fe, const Vector3& acceleration_m_s2) {
+    const mesh::Mesh& mesh = fe.input.mesh;
+    const auto density = densities_kg_m3(fe.input);
+    std::map<Index, double> mass;  // ascending, so that sums run in the same order on every rank
+    std::vector<PointState> points;
     for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
-        const auto& reference = reference_of(references, mesh.cell_type(cell));
+        const auto& reference = reference_of(fe.references, mesh.cell_type(cell));
         const auto nodes = mesh.cell_nodes(cell);
-        std::vector<double> X(reference.displacement_dofs()), rest(reference.dofs(), 0.0);
-        for (int i = 0; i < mesh.dimension; ++i)
-            for (int a = 0; a < reference.nodes; ++a) X[i * reference.nodes + a] = mesh.point(nodes[a])[i];
+        const auto X = mesh::by_component(mesh.points, nodes, mesh.dimension);
+        const std::vector<double> rest(reference.dofs(), 0.0);
         points.clear();
-        const std::size_t moving = X.size();
-        fem::CellPoints work(reference);
-        fem::sample_cell(reference, input.kinematics, material::FiberFrame::cartesian,
-                         {X, {rest.data(), moving}, {rest.data() + moving, rest.size() - moving}, 1.0}, work, points);
+        CellPoints work(reference);
+        sample_cell(reference, fe.input.kinematics, material::FiberFrame::cartesian,
+                    {X, {rest.data(), X.size()}, {rest.data() + X.size(), rest.size() - X.size()}, 1.0}, work, points);
         for (std::size_t q = 0; q < points.size(); ++q)
             for (int a = 0; a < reference.nodes; ++a)
                 mass[nodes[a]] +=
                     density[mesh.cell_regions[cell]] * points[q].weight_m3 * reference.N[q * reference.nodes + a];
     }
-    return spread(listed(mass), force.acceleration_m_s2);
+    std::vector<Index> nodes;
+    std::vector<double> masses_kg;
+    for (const auto& [node, share] : mass) {
+        nodes.push_back(node);
+        masses_kg.push_back(share);
+    }
+    return spread(std::move(nodes), masses_kg, acceleration_m_s2);
 }
 
 }  // namespace soft::fem

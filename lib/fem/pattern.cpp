@@ -111,8 +111,7 @@ linalg::Matrix make_zero_matrix(const mesh::Mesh& mesh, const DofMap& map,
         SOFT_PETSC(MatSetValues(K, 1, &number, static_cast<PetscInt>(columns.size()), columns.data(), zeros.data(),
                                 INSERT_VALUES));
     }
-    SOFT_PETSC(MatAssemblyBegin(K, MAT_FINAL_ASSEMBLY));
-    SOFT_PETSC(MatAssemblyEnd(K, MAT_FINAL_ASSEMBLY));
+    linalg::assemble(K);
     SOFT_PETSC(MatSetOption(K, MAT_SORTED_FULL, PETSC_FALSE));
     SOFT_PETSC(MatSetOption(K, MAT_NEW_NONZERO_LOCATION_ERR, PETSC_TRUE));
     return K;

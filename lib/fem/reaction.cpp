@@ -1,6 +1,7 @@
 #include "fem/reaction.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "model/face_symmetry.hpp"
@@ -56,17 +57,164 @@ std::vector<Vector3> reaction_shares(const model::Case& input, const std::string
     return shares;
 }
 
-}  // namespace
-
-const Vector3* Reaction::share_of(mesh::Index node) const {
-    const auto found = std::ranges::lower_bound(nodes, node);
-    if (found == nodes.end() || *found != node) return nullptr;
-    return &shares[static_cast<std::size_t>(found - nodes.begin())];
+/// Index of a node of the face; nullopt for any other node.
+std::optional<std::size_t> index_of(const Reaction& reaction, mesh::Index node) {
+    const auto found = std::ranges::lower_bound(reaction.nodes, node);
+    if (found == reaction.nodes.end() || *found != node) return std::nullopt;
+    return static_cast<std::size_t>(found - reaction.nodes.begin());
 }
 
-Reaction make_reaction(const model::Case& input, const model::Output& output) {
+/// The entries of `forces` at the nodes of the face, component by component.
+std::vector<double> at_nodes_of(const Reaction& reaction, const NodalForces& forces, int dimension) {
+    const std::size_t n = reaction.nodes.size();
+    std::vector<double> list(n * static_cast<std::size_t>(dimension), 0.0);
+    for (std::size_t k = 0; k < forces.nodes.size(); ++k) {
+        const auto a = index_of(reaction, forces.nodes[k]);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(dimension) && a; ++i)
+            list[i * n + *a] += forces.forces_N[k][i];
+    }
+    return list;
+}
+
+/// Nodal forces of a cell, a facet or dead loads, and their derivatives.
+struct NodeForces {
+    std::span<const mesh::Index> nodes;
+    int dimension;
+    std::span<const double> x;      // positions, component by component
+    std::span<const double> force;  // the forces first, component by component; further entries (pressures) are ignored
+    std::span<const double> stiffness;  // d force / d unknowns, row-major, as many columns as `slope`; empty: constant
+};
+
+/// Returns the contribution of `forces` to the output and adds `sign` times its derivative by the unknowns to `slope`, unless
+/// that is empty.
+double add_share(const Reaction& reaction, const NodeForces& forces, double sign, std::span<double> slope) {
+    const std::size_t n = forces.nodes.size(), columns = slope.size();
+    const auto dimension = static_cast<std::size_t>(forces.dimension);
+    double share = 0;
+    for (std::size_t a = 0; a < n; ++a) {
+        const auto index = index_of(reaction, forces.nodes[a]);
+        if (!index) continue;
+        const Vector3& component_shares = reaction.shares[*index];
+        Vector3 force{}, arm{};
+        for (std::size_t i = 0; i < dimension; ++i) {
+            force[i] = component_shares[i] * forces.force[i * n + a];
+            arm[i] = forces.x[i * n + a] - reaction.centre[i];
+        }
+        const bool is_force = reaction.measure == model::Measure::force;
+        const Vector3 weight = is_force ? reaction.direction : cross(reaction.direction, arm);
+        share += dot(weight, force);
+        if (slope.empty()) continue;
+        for (std::size_t i = 0; i < dimension && !forces.stiffness.empty(); ++i)
+            for (std::size_t j = 0; j < columns; ++j)
+                slope[j] += sign * weight[i] * component_shares[i] * forces.stiffness[(i * n + a) * columns + j];
+        const Vector3 by_position = is_force ? Vector3{} : cross(force, reaction.direction);
+        for (std::size_t i = 0; i < dimension; ++i) slope[i * n + a] += sign * by_position[i];
+    }
+    return sign * share;
+}
+
+double cell_reactions(const Reaction& reaction, const LoadedState& at, Slopes& slopes) {
+    const auto wanted = slopes.wanted() ? material::Wanted::stress_and_tangent : material::Wanted::stress;
+    const Discretization& fe = at.fe;
+    double value = 0;
+    std::vector<double> slope, x;
+    for (std::size_t g = 0; g < fe.groups.size(); ++g) {
+        const CellGroup& group = fe.groups[g];
+        LocalCell cell(*group.reference);
+        for (const std::size_t c : reaction.cells[g]) {
+            integrate(fe, at.state, group, c, wanted, cell);
+            x = cell.X;
+            for (std::size_t k = 0; k < x.size(); ++k) x[k] += cell.unknowns[k];
+            slope.assign(slopes.wanted() ? cell.unknowns.size() : 0, 0.0);
+            const NodeForces forces{fe.input.mesh.cell_nodes(group.cells[c]), fe.dofs.dimension, x, cell.out.residual,
+                                    cell.out.stiffness};
+            value += add_share(reaction, forces, -1.0, slope);
+            if (slopes.wanted()) slopes.add(group.dofs_of(c), slope);
+        }
+    }
+    return value;
+}
+
+double pressure_reactions(const Reaction& reaction, const LoadedState& at, Slopes& slopes, LoadLevels* by_levels) {
+    double value = 0;
+    std::vector<double> x, force, stiffness, slope;
+    for (std::size_t load = 0; load < at.loads.pressures.size(); ++load) {
+        const PressureSurface& surface = at.loads.pressures[load];
+        const double pressure = at.state.levels().pressures_Pa[load];
+        for (const std::size_t f : reaction.facets[load]) {
+            const SurfaceCell& facet = surface.facets[f];
+            at.state.positions(facet, x);
+            stiffness.resize(slopes.wanted() && surface.follows ? x.size() * x.size() : 0);
+            pressure_force(at.fe, surface, facet, x, force, stiffness);
+            slope.assign(slopes.wanted() ? x.size() : 0, 0.0);
+            const double per_pressure =
+                add_share(reaction, {facet.nodes, at.fe.dofs.dimension, x, force, stiffness}, 1.0, slope);
+            value += pressure * per_pressure;
+            if (by_levels != nullptr) by_levels->pressures_Pa[load] += per_pressure;
+            for (double& s : slope) s *= pressure;
+            if (slopes.wanted()) slopes.add(facet.dofs, slope);
+        }
+    }
+    return value;
+}
+
+double dead_reactions(const Reaction& reaction, const LoadedState& at, Slopes& slopes, LoadLevels* by_levels) {
+    if (at.fe.rank != 0) return 0;
+    double value = 0;
+    std::vector<double> x, slope;
+    at.state.positions(reaction.at_nodes, x);
+    const auto add = [&](const std::vector<std::vector<double>>& forces, std::vector<double> LoadLevels::*list) {
+        for (std::size_t i = 0; i < forces.size(); ++i) {
+            const double level = (at.state.levels().*list)[i];
+            slope.assign(x.size(), 0.0);
+            const double per_level =
+                add_share(reaction, {reaction.nodes, at.fe.dofs.dimension, x, forces[i], {}}, 1.0, slope);
+            value += level * per_level;
+            if (by_levels != nullptr) (by_levels->*list)[i] += per_level;
+            for (double& s : slope) s *= level;
+            slopes.add(reaction.at_nodes.dofs, slope);
+        }
+    };
+    add(reaction.plugs, &LoadLevels::pressures_Pa);
+    add(reaction.tractions, &LoadLevels::tractions);
+    add(reaction.body_forces, &LoadLevels::body_forces);
+    return value;
+}
+
+/// The cells, facets and dead forces at the nodes of the face.
+void find_contributions(Reaction& reaction, const Discretization& fe, const Loads& loads) {
+    const model::Case& input = fe.input;
+    const auto touches = [&](std::span<const mesh::Index> nodes) {
+        return std::ranges::any_of(nodes, [&](mesh::Index node) { return index_of(reaction, node).has_value(); });
+    };
+    for (const auto& group : fe.groups) {
+        auto& list = reaction.cells.emplace_back();
+        for (std::size_t c = 0; c < group.cells.size(); ++c)
+            if (touches(input.mesh.cell_nodes(group.cells[c]))) list.push_back(c);
+    }
+    for (const auto& load : loads.pressures) {
+        auto& list = reaction.facets.emplace_back();
+        for (std::size_t f = 0; f < load.facets.size(); ++f)
+            if (touches(load.facets[f].nodes)) list.push_back(f);
+    }
+    reaction.at_nodes = nodes_on_rank_0(fe, reaction.nodes);
+    if (fe.rank != 0) return;
+    const int dimension = fe.dofs.dimension;
+    for (const auto& load : input.loads)
+        reaction.plugs.push_back(at_nodes_of(reaction, plug_force(input, load), dimension));
+    for (const auto& traction : input.tractions)
+        reaction.tractions.push_back(
+            at_nodes_of(reaction, face_force(input, traction.face, traction.traction_Pa), dimension));
+    for (const auto& force : input.body_forces)
+        reaction.body_forces.push_back(at_nodes_of(reaction, body_force(fe, force.acceleration_m_s2), dimension));
+}
+
+}  // namespace
+
+Reaction make_reaction(const Discretization& fe, const Loads& loads, const model::Output& output) {
+    const model::Case& input = fe.input;
     const auto symmetry = model::face_symmetry(input.mesh, {input.kinematics, input.symmetry_planes}, output.face);
-    const FaceWeights weights = face_weights(input, output.face);
+    const auto weights = model::face_weights(input.mesh, input.kinematics, output.face);
     Reaction reaction;
     reaction.measure = output.measure;
     reaction.copies = symmetry.copies;
@@ -79,44 +227,13 @@ Reaction make_reaction(const model::Case& input, const model::Output& output) {
         for (std::size_t i = 0; i < 3; ++i)
             if (!symmetry.mirrored[i])
                 reaction.centre[i] += weights.weights_m2[k] / weights.area_m2 * input.mesh.point(weights.nodes[k])[i];
+    find_contributions(reaction, fe, loads);
     return reaction;
 }
 
-std::vector<double> at_nodes_of(const Reaction& reaction, const NodalForces& forces, int dimension) {
-    const std::size_t n = reaction.nodes.size();
-    std::vector<double> list(n * static_cast<std::size_t>(dimension), 0.0);
-    for (std::size_t k = 0; k < forces.nodes.size(); ++k) {
-        const auto found = std::ranges::lower_bound(reaction.nodes, forces.nodes[k]);
-        if (found == reaction.nodes.end() || *found != forces.nodes[k]) continue;
-        const auto a = static_cast<std::size_t>(found - reaction.nodes.begin());
-        for (std::size_t i = 0; i < static_cast<std::size_t>(dimension); ++i) list[i * n + a] += forces.forces_N[k][i];
-    }
-    return list;
-}
-
-double add_share(const Reaction& reaction, const NodeForces& forces, double sign, std::span<double> slope) {
-    const std::size_t n = forces.nodes.size(), columns = slope.size();
-    const auto dimension = static_cast<std::size_t>(forces.dimension);
-    double share = 0;
-    for (std::size_t a = 0; a < n; ++a) {
-        const Vector3* component_shares = reaction.share_of(forces.nodes[a]);
-        if (component_shares == nullptr) continue;
-        Vector3 force{}, arm{};
-        for (std::size_t i = 0; i < dimension; ++i) {
-            force[i] = (*component_shares)[i] * forces.force[i * n + a];
-            arm[i] = forces.x[i * n + a] - reaction.centre[i];
-        }
-        const bool is_force = reaction.measure == model::Measure::force;
-        const Vector3 weight = is_force ? reaction.direction : cross(reaction.direction, arm);
-        share += dot(weight, force);
-        if (slope.empty()) continue;
-        for (std::size_t i = 0; i < dimension && !forces.stiffness.empty(); ++i)
-            for (std::size_t j = 0; j < columns; ++j)
-                slope[j] += sign * weight[i] * (*component_shares)[i] * forces.stiffness[(i * n + a) * columns + j];
-        const Vector3 by_position = is_force ? Vector3{} : cross(force, reaction.direction);
-        for (std::size_t i = 0; i < dimension; ++i) slope[i * n + a] += sign * by_position[i];
-    }
-    return sign * share;
+double own_value(const Reaction& reaction, const LoadedState& at, Slopes& slopes, LoadLevels* by_levels) {
+    return cell_reactions(reaction, at, slopes) + pressure_reactions(reaction, at, slopes, by_levels) +
+           dead_reactions(reaction, at, slopes, by_levels);
 }
 
 }  // namespace soft::fem

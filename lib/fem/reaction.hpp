@@ -7,11 +7,10 @@
 /// face in the whole actuator (model/face_symmetry.hpp). The forces of all constrained faces together are therefore the resultant of
 /// the loads, to the accuracy of the equilibrium.
 /// Derived here. Tested by fem/reaction_test and the verification suite (group Reactions).
-#include <span>
 #include <vector>
 
-#include "fem/cavity.hpp"
-#include "math/tensor.hpp"
+#include "fem/loads.hpp"
+#include "fem/local_state.hpp"
 
 namespace soft::fem {
 
@@ -24,30 +23,21 @@ struct Reaction {
     std::vector<Vector3> shares;                   ///< [node] s, by component
     std::vector<std::vector<std::size_t>> cells;   ///< [group] this rank's cells with such a node
     std::vector<std::vector<std::size_t>> facets;  ///< [pressure load] the same
-    /// On rank 0: the nodes with their positions, and the dead forces at them per unit level, component-major.
+    /// On rank 0: the nodes with their positions, and the dead forces at them per unit level, component by component.
     SurfaceCell at_nodes;
     std::vector<std::vector<double>> plugs, tractions, body_forces;
-
-    [[nodiscard]] bool has(mesh::Index node) const { return share_of(node) != nullptr; }
-    [[nodiscard]] const Vector3* share_of(mesh::Index node) const;  ///< nullptr for a node that is not on the face
 };
 
-[[nodiscard]] Reaction make_reaction(const model::Case& input, const model::Output& output);
+[[nodiscard]] Reaction make_reaction(const Discretization& fe, const Loads& loads, const model::Output& output);
 
-/// The entries of `forces` at the reaction's nodes, component-major.
-[[nodiscard]] std::vector<double> at_nodes_of(const Reaction& reaction, const NodalForces& forces, int dimension);
-
-/// Nodal forces of a cell, a facet or dead loads, and their derivatives.
-struct NodeForces {
-    std::span<const mesh::Index> nodes;
-    int dimension;
-    std::span<const double> x;      ///< positions, component-major
-    std::span<const double> force;  ///< the forces first, component-major; further entries (pressures) are ignored
-    std::span<const double>
-        stiffness;  ///< d force / d unknowns, row-major, as many columns as `slope`; empty: constant
+/// What a reaction is evaluated from; `state` has been read and the levels prescribed.
+struct LoadedState {
+    const Discretization& fe;
+    const Loads& loads;
+    const LocalState& state;
 };
-/// Returns the contribution of `forces` to the output and adds `sign` times its derivative by the unknowns to `slope`, unless
-/// that is empty.
-double add_share(const Reaction& reaction, const NodeForces& forces, double sign, std::span<double> slope);
+/// The force or moment; adds its derivatives by x and the motions to `slopes`, and by the other levels to `by_levels` (nullptr if not
+/// needed). Those of this rank only: the caller sums them, and multiplies them and the value by `copies`.
+[[nodiscard]] double own_value(const Reaction& reaction, const LoadedState& at, Slopes& slopes, LoadLevels* by_levels);
 
 }  // namespace soft::fem

@@ -6,6 +6,7 @@
 #include "math/lanes.hpp"
 #include "mesh/quadrature.hpp"
 #include "mesh/shape.hpp"
+#include "model/formulation.hpp"
 
 namespace soft::fem {
 
@@ -56,33 +57,12 @@ void fill_by_node(ReferenceCell& ref) {
             }
 }
 
-struct Refusal {
-    std::string problem, remedy;
-};
-
-Refusal refusal(const mesh::CellTopology& cell, Form form) {
-    const std::string name(cell.name);
-    if (cell.dimension < 2) return {name + " is not a solid cell", "use cells of the dimension of the model"};
-    if (form == Form::mixed && cell.order == 1)
-        return {"first-order cells (" + name + ") have no stable pressure space",
-                "use mesh.order 2 or another formulation"};
-    if (form == Form::f_bar && (cell.order != 1 || !is_tensor_cell(cell)))
-        return {"F-bar is for first-order quadrilaterals and hexahedra, not " + name,
-                cell.order == 1 ? "use mesh.order 2 with formulation mixed" : "use formulation mixed"};
-    return {};
-}
-
 }  // namespace
-
-std::string explain_incompatibility(mesh::CellType type, Form form) {
-    const auto [problem, remedy] = refusal(mesh::topology(type), form);
-    return problem.empty() ? problem : problem + "; " + remedy;
-}
 
 ReferenceCell make_reference_cell(mesh::CellType type, Form form) {
     const auto& cell = mesh::topology(type);
-    if (const auto [problem, remedy] = refusal(cell, form); !problem.empty())
-        throw Error(ExitCode::bad_input, "mesh", problem, remedy);
+    if (const std::string reason = model::explain_incompatibility(type, form); !reason.empty())
+        throw Error(ExitCode::bad_input, "mesh", reason);
     ReferenceCell ref;
     ref.type = type;
     ref.form = form;

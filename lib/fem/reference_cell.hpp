@@ -13,7 +13,6 @@
 /// Elliptic Problems (1978), 4.1). No rule has zero-energy modes other than the rigid motions: fem/rank_test.
 /// Sources: Boffi, Brezzi, Fortin, Mixed Finite Element Methods (2013) 8.6-8.8. Tested by fem/reference_cell_test,
 /// fem/solid_kernel_test; orders by fem/manufactured_test, stability by fem/inf_sup_test.
-#include <string>
 #include <vector>
 
 #include "material/catalogue.hpp"
@@ -46,10 +45,7 @@ struct ReferenceCell {
     [[nodiscard]] int dofs() const noexcept { return displacement_dofs() + pressure_dofs; }
 };
 
-/// Why a cell type cannot be used in a form, with a remedy ("problem; remedy"); empty if it can.
-[[nodiscard]] std::string explain_incompatibility(mesh::CellType type, Form form);
-
-/// Throws Error(bad_input, location "mesh") if explain_incompatibility is not empty.
+/// Throws Error(bad_input, location "mesh") for a cell type that the form does not support (model/formulation.hpp).
 [[nodiscard]] ReferenceCell make_reference_cell(mesh::CellType type, Form form);
 
 }  // namespace soft::fem

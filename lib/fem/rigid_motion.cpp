@@ -13,31 +13,6 @@ namespace {
 
 using mesh::Index;
 
-struct Mode {
-    const char* name;
-    std::array<double, 3> translation, rotation;
-};
-
-std::vector<Mode> rigid_modes(model::Kinematics kinematics) {
-    const Mode x{"translation along x", {1, 0, 0}, {}}, y{"translation along y", {0, 1, 0}, {}},
-        z{"translation along z", {0, 0, 1}, {}}, about_x{"rotation about an axis along x", {}, {1, 0, 0}},
-        about_y{"rotation about an axis along y", {}, {0, 1, 0}},
-        about_z{"rotation about an axis along z", {}, {0, 0, 1}};
-    switch (kinematics) {
-        case model::Kinematics::axisymmetric: return {x};
-        case model::Kinematics::plane_strain: return {x, y, about_z};
-        case model::Kinematics::solid: return {x, y, z, about_x, about_y, about_z};
-    }
-    return {};
-}
-
-/// Component i of a mode at a point; lengths are relative to `centre` in units of `extent`.
-double motion(const Mode& mode, const mesh::Point& X, const mesh::Point& centre, double extent, int i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    return mode.translation[i] +
-           (mode.rotation[j] * (X[k] - centre[k]) - mode.rotation[k] * (X[j] - centre[j])) / extent;
-}
-
 /// Parts of the mesh that share no node: the part index of every node, -1 for points that no cell uses.
 std::vector<int> connected_parts(const mesh::Mesh& mesh, int& count) {
     std::vector<Index> parent(mesh.points.size());
@@ -103,6 +78,19 @@ int free_mode(std::vector<Row> rows, std::size_t modes) {
 
 }  // namespace
 
+std::vector<RigidMode> rigid_modes(model::Kinematics kinematics) {
+    const RigidMode x{"translation along x", {1, 0, 0}, {}}, y{"translation along y", {0, 1, 0}, {}},
+        z{"translation along z", {0, 0, 1}, {}}, about_x{"rotation about an axis along x", {}, {1, 0, 0}},
+        about_y{"rotation about an axis along y", {}, {0, 1, 0}},
+        about_z{"rotation about an axis along z", {}, {0, 0, 1}};
+    switch (kinematics) {
+        case model::Kinematics::axisymmetric: return {x};
+        case model::Kinematics::plane_strain: return {x, y, about_z};
+        case model::Kinematics::solid: return {x, y, z, about_x, about_y, about_z};
+    }
+    return {};
+}
+
 std::optional<std::string> free_rigid_motion(const model::Case& input) {
     const auto& mesh = input.mesh;
     const auto modes = rigid_modes(input.kinematics);
@@ -127,11 +115,12 @@ std::optional<std::string> free_rigid_motion(const model::Case& input) {
                     centre[i] = 0.5 * (low[part][i] + high[part][i]);
                     extent = std::max(extent, high[part][i] - low[part][i]);
                 }
+                Vector3 r = difference(mesh.point(node), centre);  // in units of the size of the part
+                for (double& component : r) component /= extent;
                 for (int i = 0; i < mesh.dimension; ++i) {
                     if (!fixed[i]) continue;
                     Row row{};
-                    for (std::size_t m = 0; m < modes.size(); ++m)
-                        row[m] = motion(modes[m], mesh.point(node), centre, extent, i);
+                    for (std::size_t m = 0; m < modes.size(); ++m) row[m] = modes[m].velocity(r)[i];
                     rows[part].push_back(row);
                 }
             }

@@ -6,10 +6,9 @@
 ///         rotation by any angle, a least-squares fit for a deformed face.
 /// Angles in (-pi, pi]; for a section in plane strain, per metre of depth, about z. Derived here. Tested by fem/loads_test.
 #include <array>
-#include <span>
 #include <vector>
 
-#include "fem/cavity.hpp"
+#include "fem/local_state.hpp"
 
 namespace soft::fem {
 
@@ -21,25 +20,16 @@ struct RotationFace {
 
 struct Rotation {
     model::Measure measure = model::Measure::bend;
-    std::array<double, 3> axis{};
+    Vector3 axis{};
     RotationFace face, reference;  ///< `reference` for bend only
     double undeformed = 0;         ///< [rad], subtracted
 };
 
-/// Two numbers whose atan2 is an angle, summed over facets: (component along e1, along e2) of the vector area, or
-/// (sum w X.x, sum w (X x x).e).
-using Phasor = std::array<double, 2>;
+/// `state` is overwritten: the angle of the undeformed state is subtracted.
+[[nodiscard]] Rotation make_rotation(const Discretization& fe, const model::Output& output, LocalState& state);
 
-/// Angle of a phasor and its derivative by both numbers.
-struct PhasorAngle {
-    double angle = 0;
-    Phasor slope{};
-};
-[[nodiscard]] PhasorAngle angle_of(const Phasor& phasor);
-
-/// Adds a facet's contribution to `phasor`; x current, X reference positions, component-major. slopes[k] = d phasor[k]/dx.
-void add_phasor(const Rotation& rotation, model::Kinematics kinematics, const fem::ReferenceFacet& facet,
-                std::span<const double> x, std::span<const double> X, std::span<const double> weights, Phasor& phasor,
-                std::array<std::vector<double>, 2>& slopes);
+/// The angle at the state last read; adds its derivatives to `slopes`. Collective.
+[[nodiscard]] double value_of(const Rotation& rotation, const Discretization& fe, const LocalState& state,
+                              Slopes& slopes);
 
 }  // namespace soft::fem

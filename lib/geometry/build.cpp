@@ -4,9 +4,9 @@
 #include <set>
 
 #include "core/text.hpp"
-#include "fem/reference_cell.hpp"
 #include "geometry/case_warnings.hpp"
 #include "geometry/loading.hpp"
+#include "model/formulation.hpp"
 #include "model/rubber.hpp"
 
 namespace soft::geometry {
@@ -18,7 +18,7 @@ model::Formulation formulation_of(const design::Values& values, const mesh::Mesh
     if (word == "displacement") formulation = model::Formulation::displacement;
     if (word == "f-bar") formulation = model::Formulation::f_bar;
     for (const mesh::CellType type : std::set(mesh.cell_types.begin(), mesh.cell_types.end()))
-        if (const std::string reason = fem::explain_incompatibility(type, formulation); !reason.empty())
+        if (const std::string reason = model::explain_incompatibility(type, formulation); !reason.empty())
             throw values.refuse("mesh.formulation", reason);
     return formulation;
 }

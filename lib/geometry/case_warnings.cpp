@@ -29,7 +29,7 @@ constexpr double across = 1e-9;
 using Warnings = std::vector<std::string>;
 
 void check_size(const design::Design& design, const model::Case& built, Warnings& warnings) {
-    const double extent_m = model::extent_m(built.mesh);
+    const double extent_m = mesh::extent_m(built.mesh);
     if (extent_m >= min_m && extent_m <= max_m) return;
     const std::string text = core::quantity_text(extent_m, core::Dimension::length);
     if (design.values.has("geometry.unit"))

@@ -9,10 +9,10 @@
 #include "geometry/keys.hpp"
 #include "geometry/openings.hpp"
 #include "geometry/part.hpp"
+#include "mesh/mesh.hpp"
 #include "mesh/raise_order.hpp"
 #include "meshing/import.hpp"
 #include "meshing/pieces.hpp"
-#include "model/cavity_surface.hpp"
 
 namespace soft::geometry {
 namespace {
@@ -80,7 +80,7 @@ Kinematics kinematics_of(const design::Values& values, const mesh::Mesh& mesh) {
 
 /// Moves nodes within rounding of the axis onto it, and adds the facets on the axis as a face.
 void add_axis(mesh::Mesh& mesh, const design::Values& values) {
-    const double tolerance_m = model::plane_tolerance * model::extent_m(mesh);
+    const double tolerance_m = mesh::plane_tolerance * mesh::extent_m(mesh);
     for (mesh::Point& p : mesh.points) {
         if (p[1] < -tolerance_m)
             throw values.refuse(file_key,

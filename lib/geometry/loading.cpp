@@ -5,19 +5,18 @@
 #include <set>
 
 #include "core/text.hpp"
-#include "fem/pressure_kernel.hpp"
+#include "math/vector.hpp"
 #include "mesh/cell_map.hpp"
 #include "mesh/locate.hpp"
 #include "model/face_symmetry.hpp"
+#include "model/facet_integrals.hpp"
 
 namespace soft::geometry {
 namespace {
 
-using Vector = std::array<double, 3>;
-
 /// Area mean of the outward unit normal of a face; shorter than 1 where the face is not flat.
-Vector mean_normal(const Meshed& meshed, const std::string& face) {
-    Vector sum{};
+Vector3 mean_normal(const Meshed& meshed, const std::string& face) {
+    Vector3 sum{};
     double area = 0;
     for (const mesh::Facet& facet : meshed.mesh.facet_sets.at(face)) {
         const mesh::CellType type = facet_type(meshed.mesh, facet);
@@ -39,7 +38,7 @@ struct DirectionRequest {
 };
 
 /// Its unit vector. `normal` points out of the undeformed face, which must be flat.
-Vector direction_of(const DirectionRequest& request, const Meshed& meshed) {
+Vector3 direction_of(const DirectionRequest& request, const Meshed& meshed) {
     const std::string& along = request.along;
     if (along == "axis") return meshed.shape.axis;
     if (along == "x") return {1, 0, 0};
@@ -92,7 +91,7 @@ void add_body_forces(model::Case& result, const design::Design& design, const Me
     for (const auto& request : design.body_forces) {
         const std::string path = "loads." + request.name + ".along";
         const bool against = request.along.starts_with('-');
-        Vector acceleration = direction_of({path, "", request.along.substr(against ? 1 : 0)}, meshed);
+        Vector3 acceleration = direction_of({path, "", request.along.substr(against ? 1 : 0)}, meshed);
         for (double& component : acceleration)
             component *= against ? -request.acceleration_m_s2 : request.acceleration_m_s2;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -115,26 +114,17 @@ model::FaceSymmetry symmetry_of(const Meshed& meshed, const std::string& face) {
 }
 
 /// Undeformed area of the whole face of the whole actuator. Throws for a direction that a symmetry plane would mirror.
-double whole_area_m2(const Meshed& meshed, const DirectionRequest& request, const Vector& direction,
+double whole_area_m2(const Meshed& meshed, const DirectionRequest& request, const Vector3& direction,
                      const design::Values& values) {
     const model::FaceSymmetry symmetry = symmetry_of(meshed, request.face);
     if (model::uncancelled_force(symmetry, direction) != direction)
         throw values.refuse(request.key, "a symmetry plane of the model would mirror the force",
                             "use a model without this plane, or another direction");
-    double area_m2 = 0;
-    for (const mesh::Facet& facet : meshed.mesh.facet_sets.at(request.face)) {
-        const auto reference = fem::make_reference_facet(mesh::facet_type(meshed.mesh, facet));
-        const auto nodes = mesh::facet_nodes(meshed.mesh, facet);
-        std::vector<double> X(static_cast<std::size_t>(reference.dofs())), weights(nodes.size());
-        for (std::size_t i = 0; i < static_cast<std::size_t>(meshed.mesh.dimension); ++i)
-            for (std::size_t a = 0; a < nodes.size(); ++a) X[i * nodes.size() + a] = meshed.mesh.point(nodes[a])[i];
-        area_m2 += fem::facet_area(reference, meshed.shape.kinematics, X, weights);
-    }
-    return symmetry.copies * area_m2;
+    return symmetry.copies * model::face_weights(meshed.mesh, meshed.shape.kinematics, request.face).area_m2;
 }
 
 /// The coordinate axis parallel to `direction`, or 3 if there is none.
-std::size_t component_along(const Vector& direction) {
+std::size_t component_along(const Vector3& direction) {
     constexpr double rounding = 1e-9;
     for (std::size_t i = 0; i < 3; ++i)
         if (std::abs(std::abs(direction[i]) - 1) <= rounding) return i;
@@ -145,7 +135,7 @@ void add_motions(model::Case& result, const design::Design& design, const Meshed
     for (const auto& request : design.motions) {
         const std::string location = "loads." + request.face, path = location + ".along";
         require_face(meshed, request.face, location);
-        const Vector direction = direction_of({path, request.face, request.along}, meshed);
+        const Vector3 direction = direction_of({path, request.face, request.along}, meshed);
         const std::size_t component = component_along(direction);
         if (component == 3)
             throw design.values.refuse(path, "a motion must follow a coordinate axis, and this direction does not",
@@ -202,11 +192,11 @@ bool share_a_facet(const Meshed& meshed, const std::string& one, const std::stri
 }
 
 /// Throws values.refuse(...) with the nearest node for a point outside the mesh.
-Vector point_of_part(const design::Design::OutputRequest& request, const Meshed& meshed, const design::Values& values) {
-    Vector point{};
+Vector3 point_of_part(const design::Design::OutputRequest& request, const Meshed& meshed, const design::Values& values) {
+    Vector3 point{};
     std::ranges::copy(request.point_m, point.begin());
     if (mesh::locate(meshed.mesh, point)) return point;
-    const Vector& nearest = meshed.mesh.point(mesh::nearest_node(meshed.mesh, point));
+    const Vector3& nearest = meshed.mesh.point(mesh::nearest_node(meshed.mesh, point));
     std::string text;
     for (std::size_t i = 0; i < request.point_m.size(); ++i)
         text += (i > 0 ? ", " : "[") + core::rounded_text(1e3 * nearest[i], 6) + " mm";
@@ -215,14 +205,14 @@ Vector point_of_part(const design::Design::OutputRequest& request, const Meshed&
 }
 
 /// A reaction needs a support or a motion of the face, and a direction in which its mirror images do not cancel.
-void check_reaction(const model::Case& result, const design::Design::OutputRequest& request, const Vector& direction,
+void check_reaction(const model::Case& result, const design::Design::OutputRequest& request, const Vector3& direction,
                     const Meshed& meshed, const design::Values& values) {
     const std::string location = "outputs." + request.name;
     const bool force = request.measure == model::Measure::force;
     const model::FaceSymmetry symmetry = symmetry_of(meshed, request.face);
-    const Vector left =
+    const Vector3 left =
         force ? model::uncancelled_force(symmetry, direction) : model::uncancelled_moment(symmetry, direction);
-    if (left == Vector{})
+    if (left == Vector3{})
         throw values.refuse(
             location + ".along",
             std::string{force ? "the force" : "the moment"} + " is 0, because the mirror image of the face cancels it",
@@ -263,7 +253,7 @@ void add_loads(model::Case& result, const design::Design& design, const Meshed& 
     for (const auto& request : design.tractions) {
         const std::string location = "loads." + request.face;
         require_face(meshed, request.face, location);
-        Vector traction = direction_of({location + ".along", request.face, request.along}, meshed);
+        Vector3 traction = direction_of({location + ".along", request.face, request.along}, meshed);
         const double area_m2 =
             request.spread == design::Design::Spread::per_area
                 ? 0
@@ -280,7 +270,7 @@ void add_outputs(model::Case& result, const design::Design& design, const Meshed
     for (const auto& request : design.outputs) {
         const std::string location = "outputs." + request.name;
         if (!request.point_m.empty()) {
-            const Vector along = direction_of({location + ".along", "", request.along}, meshed);
+            const Vector3 along = direction_of({location + ".along", "", request.along}, meshed);
             result.outputs.push_back(
                 {request.name, "", along, request.measure, "", point_of_part(request, meshed, design.values)});
             continue;
@@ -290,8 +280,8 @@ void add_outputs(model::Case& result, const design::Design& design, const Meshed
         if (bend) require_face(meshed, request.reference, location + ".reference");
         const bool about_z = (model::is_angle(request.measure) || request.measure == model::Measure::moment) &&
                              request.along == "z" && meshed.shape.kinematics == model::Kinematics::plane_strain;
-        const Vector direction =
-            about_z ? Vector{0, 0, 1} : direction_of({location + ".along", request.face, request.along}, meshed);
+        const Vector3 direction =
+            about_z ? Vector3{0, 0, 1} : direction_of({location + ".along", request.face, request.along}, meshed);
         if (model::is_reaction(request.measure)) check_reaction(result, request, direction, meshed, design.values);
         result.outputs.push_back(
             {request.name, request.face, direction, request.measure, bend ? request.reference : "", {}});

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <set>
 
+#include "math/vector.hpp"
 #include "mesh/cell_map.hpp"
 #include "model/cavity_surface.hpp"
 
@@ -14,15 +15,14 @@ namespace soft::geometry {
 namespace {
 
 using mesh::Index;
-using Vector = std::array<double, 3>;
 
-Vector area_of(const mesh::Mesh& mesh, const std::vector<model::RimEdge>& rim) {
-    Vector area{};
+Vector3 area_of(const mesh::Mesh& mesh, const std::vector<model::RimEdge>& rim) {
+    Vector3 area{};
     for (const model::RimEdge& edge : rim) {
         const mesh::CellType type = edge.size() == 3 ? mesh::CellType::line3 : mesh::CellType::line2;
         for (const mesh::QuadraturePoint& point : mesh::volume_rule(type)) {
             const auto shapes = mesh::shape_values(type, point.xi);
-            Vector x{}, dx{};
+            Vector3 x{}, dx{};
             for (std::size_t a = 0; a < edge.size(); ++a)
                 for (std::size_t d = 0; d < 3; ++d) {
                     x[d] += shapes[a].value * mesh.point(edge[a])[d];
@@ -66,7 +66,7 @@ std::string face_around(const mesh::Mesh& mesh, const std::vector<mesh::Facet>& 
     return smallest;
 }
 
-FoundOpening found(const mesh::Mesh& mesh, const std::vector<mesh::Facet>& wall, const Vector& area,
+FoundOpening found(const mesh::Mesh& mesh, const std::vector<mesh::Facet>& wall, const Vector3& area,
                    const std::set<Index>& rim) {
     const double size = std::hypot(area[0], area[1], area[2]);
     FoundOpening result{{"", size, {area[0] / size, area[1] / size, area[2] / size}}, sides_around(mesh, wall, rim)};
@@ -105,7 +105,7 @@ std::vector<FoundOpening> openings_of(const mesh::Mesh& mesh, const std::vector<
     for (const auto& rim : model::rims(bare, wall)) {
         std::set<Index> corners;
         for (const model::RimEdge& edge : rim) corners.insert({edge[0], edge[1]});
-        Vector area =
+        Vector3 area =
             area_of(mesh,
                     rim);  // lines along the cuts, which close the rim, add nothing to the uncancelled components
         for (std::size_t d = 0; d < 3; ++d)

@@ -58,7 +58,7 @@ std::optional<PetscInt> count_below(Mat K, Mat M, double shift, PetscInt constra
     Matrix shifted;
     SOFT_PETSC(MatDuplicate(K, MAT_COPY_VALUES, shifted.out()));
     SOFT_PETSC(MatAXPY(shifted, -shift, M, SAME_NONZERO_PATTERN));
-    LinearSolver solver(shifted, Symmetry::symmetric, {.method = model::LinearMethod::mumps_ldlt});
+    LinearSolver solver(shifted, Symmetry::symmetric, {.method = LinearMethod::mumps_ldlt});
     const auto pivots = solver.factorize().negative_pivots;
     return pivots ? std::optional(*pivots - constraints) : std::nullopt;
 }
@@ -67,8 +67,7 @@ std::optional<PetscInt> count_below(Mat K, Mat M, double shift, PetscInt constra
 
 std::vector<double> lowest_eigenvalues(Mat K, Mat M, PetscInt count, PetscInt constraints) {
     start_slepc();
-    LinearSolver solver(K, Symmetry::symmetric,
-                        {.method = model::LinearMethod::mumps_ldlt, .tolerance = inverse_tolerance});
+    LinearSolver solver(K, Symmetry::symmetric, {.method = LinearMethod::mumps_ldlt, .tolerance = inverse_tolerance});
     EigenSolver eps;
     SOFT_PETSC(EPSCreate(PetscObjectComm(reinterpret_cast<PetscObject>(K)), eps.out()));
     SOFT_PETSC(EPSSetOperators(eps, K, M));

@@ -14,13 +14,11 @@ namespace soft::linalg {
 
 namespace {
 
-using model::LinearMethod;
-
 /// GMRES restart lengths. Multigrid is meant for large systems, in which each vector takes much memory.
 constexpr int max_restart = 300, max_multigrid_restart = 100;
 
-int restart_of(const model::LinearSettings& settings) {
-    const bool large = settings.preconditioner == model::Preconditioner::multigrid;
+int restart_of(const LinearSettings& settings) {
+    const bool large = settings.preconditioner == Preconditioner::multigrid;
     return std::min(settings.iteration_limit, large ? max_multigrid_restart : max_restart);
 }
 
@@ -41,8 +39,7 @@ PetscErrorCode apply_factors(PC pc, Vec b, Vec x) {
 
 }  // namespace
 
-LinearSolver::LinearSolver(Mat K, Symmetry symmetry, const model::LinearSettings& settings)
-    : K_(K), settings_(settings) {
+LinearSolver::LinearSolver(Mat K, Symmetry symmetry, const LinearSettings& settings) : K_(K), settings_(settings) {
     SOFT_PETSC(KSPCreate(PetscObjectComm(reinterpret_cast<PetscObject>(K)), ksp_.out()));
     SOFT_PETSC(KSPSetType(ksp_, KSPFGMRES));
     SOFT_PETSC(KSPGMRESSetRestart(ksp_, restart_of(settings)));
@@ -72,7 +69,7 @@ void LinearSolver::use_factorization(Choice choice) {
         name = choice == Choice::ldlt ? "LDL^T by substructures, MUMPS" : "LU by substructures, MUMPS";
     }
     if (!own_) {
-        model::LinearSettings mumps = settings_;
+        LinearSettings mumps = settings_;
         mumps.method = choice == Choice::ldlt ? LinearMethod::mumps_ldlt : LinearMethod::mumps_lu;
         return set_type(pc, mumps, Symmetry::symmetric);
     }

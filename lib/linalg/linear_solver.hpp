@@ -1,6 +1,6 @@
 #pragma once
 /// Solves K x = b for a sequence of slowly changing tangents K by flexible GMRES (Saad 1993). The preconditioner is built from one of
-/// these tangents: a direct factorisation or a cheaper preconditioner (model::LinearSettings).
+/// these tangents: a direct factorisation or a cheaper preconditioner (LinearSettings).
 ///   automatic: LDL^T without pivoting (sparse_ldlt.hpp) if it needs few flops, otherwise LDL^T by MUMPS. The solver switches
 ///       permanently to MUMPS when the first factorisation fails or needs many iterations. MUMPS runs as one distributed instance on
 ///       one rank or on very many, otherwise as one instance per rank (substructures.hpp). With a fresh factor of a symmetric K the
@@ -18,7 +18,7 @@
 #include "linalg/factors.hpp"
 #include "linalg/multigrid.hpp"
 #include "linalg/petsc.hpp"
-#include "model/settings.hpp"
+#include "math/linear_settings.hpp"
 
 namespace soft::linalg {
 
@@ -42,7 +42,7 @@ class LinearSolver {
 public:
     /// PETSc options (-ksp_*, -pc_*, -mat_mumps_*) override the defaults. Throws Error (bad_input) for a library that PETSc was built
     /// without, and for CHOLMOD on several ranks.
-    explicit LinearSolver(Mat K, Symmetry symmetry = Symmetry::symmetric, const model::LinearSettings& settings = {});
+    explicit LinearSolver(Mat K, Symmetry symmetry = Symmetry::symmetric, const LinearSettings& settings = {});
 
     /// Required by Preconditioner::multigrid, before the first factorize().
     void set_levels(ElementLevels levels);
@@ -70,12 +70,11 @@ public:
     [[nodiscard]] LinearSolve improve(Vec b, Vec x);
 
     [[nodiscard]] bool is_krylov() const noexcept {
-        return settings_.method == model::LinearMethod::krylov ||
-               settings_.method == model::LinearMethod::jacobian_free;
+        return settings_.method == LinearMethod::krylov || settings_.method == LinearMethod::jacobian_free;
     }
     /// True for a factorisation, whose stale factor remains a good preconditioner for some steps.
     [[nodiscard]] bool is_direct() const noexcept { return !is_krylov(); }
-    [[nodiscard]] const model::LinearSettings& settings() const noexcept { return settings_; }
+    [[nodiscard]] const LinearSettings& settings() const noexcept { return settings_; }
     [[nodiscard]] int factorizations() const noexcept { return factorizations_; }
     [[nodiscard]] long iterations() const noexcept { return iterations_; }  ///< total over all solves
     [[nodiscard]] KSP ksp() const noexcept { return ksp_; }
@@ -96,7 +95,7 @@ private:
     [[nodiscard]] bool is_numerical_failure(PetscErrorCode code, const char* call) const;
 
     Mat K_, operator_ = nullptr;
-    model::LinearSettings settings_;
+    LinearSettings settings_;
     Choice choice_ = Choice::lu;    // of method automatic
     std::vector<PetscInt> order_;   // elimination order of the substructures
     std::unique_ptr<Factors> own_;  // used by the preconditioner of ksp_, which is destroyed first

@@ -200,8 +200,7 @@ void Multigrid::Parts::add_bulk() {
             row += block.size;
         }
     }
-    SOFT_PETSC(MatAssemblyBegin(A_, MAT_FINAL_ASSEMBLY));
-    SOFT_PETSC(MatAssemblyEnd(A_, MAT_FINAL_ASSEMBLY));
+    assemble(A_);
 }
 
 void Multigrid::Parts::make_cycle(Mat A) {

@@ -45,6 +45,16 @@ double norm(Vec a) {
 void copy(Vec from, Vec to) { SOFT_PETSC(VecCopy(from, to)); }
 void add(Vec y, double factor, Vec x) { SOFT_PETSC(VecAXPY(y, factor, x)); }
 
+void assemble(Vec x) {
+    SOFT_PETSC(VecAssemblyBegin(x));
+    SOFT_PETSC(VecAssemblyEnd(x));
+}
+
+void assemble(Mat K) {
+    SOFT_PETSC(MatAssemblyBegin(K, MAT_FINAL_ASSEMBLY));
+    SOFT_PETSC(MatAssemblyEnd(K, MAT_FINAL_ASSEMBLY));
+}
+
 std::vector<double> gather(Vec distributed) {
     Scatter to_zero;
     Vector all;

@@ -53,5 +53,8 @@ using NullSpace = Owned<MatNullSpace, MatNullSpaceDestroy>;
 void spread(std::span<const double> all, Vec distributed);
 void copy(Vec from, Vec to);
 void add(Vec y, double factor, Vec x);  ///< y += factor x
+/// Completes the insertion or addition of entries. Collective.
+void assemble(Vec x);
+void assemble(Mat K);
 
 }  // namespace soft::linalg

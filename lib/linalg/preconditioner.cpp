@@ -10,9 +10,6 @@ namespace soft::linalg {
 
 namespace {
 
-using model::LinearMethod;
-using model::Preconditioner;
-
 [[noreturn]] void refuse_library(const std::string& key, const std::string& library) {
     throw Error(ExitCode::bad_input, key, "this PETSc was built without " + library,
                 "choose another method, or automatic");
@@ -84,7 +81,7 @@ void set_block_lu(PC pc) {
 
 }  // namespace
 
-void set_type(PC pc, const model::LinearSettings& settings, Symmetry symmetry) {
+void set_type(PC pc, const LinearSettings& settings, Symmetry symmetry) {
     switch (settings.method) {
         case LinearMethod::automatic: return set_mumps(pc, symmetry == Symmetry::symmetric ? PCCHOLESKY : PCLU);
         case LinearMethod::mumps_ldlt: return set_mumps(pc, PCCHOLESKY);

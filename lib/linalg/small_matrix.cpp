@@ -6,9 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <stdexcept>
-#include <string>
 
 namespace soft::linalg {
 
@@ -41,37 +38,6 @@ int negative_eigenvalues(const SmallMatrix& A) {
     LAPACKsyev_("N", "U", &size, symmetric.values.data(), &size, eigenvalues.data(), work.data(), &work_size, &info);
     return static_cast<int>(
         std::count_if(eigenvalues.begin(), eigenvalues.end(), [](double value) { return value < 0.0; }));
-}
-
-Eigen symmetric_eigen(SmallMatrix A) {
-    const int n = A.size;
-    PetscBLASInt size = n, work_size = std::max(1, 3 * n - 1), info = 0;
-    std::vector<double> values(static_cast<std::size_t>(n)), work(static_cast<std::size_t>(work_size));
-    LAPACKsyev_("V", "U", &size, A.values.data(), &size, values.data(), work.data(), &work_size, &info);
-    if (info != 0) throw std::logic_error("symmetric_eigen: LAPACK syev failed with info " + std::to_string(info));
-    return {std::move(values), std::move(A)};  // columns of LAPACK are rows of SmallMatrix
-}
-
-Eigen real_eigen(const SmallMatrix& A) {
-    const int n = A.size;
-    SmallMatrix columns(n), right(n);
-    for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j) columns.at(j, i) = A.at(i, j);
-    PetscBLASInt size = n, work_size = 4 * std::max(1, n), info = 0;
-    std::vector<double> real(static_cast<std::size_t>(n)), imaginary(real), work(static_cast<std::size_t>(work_size));
-    double left = 0;
-    LAPACKgeev_("N", "V", &size, columns.values.data(), &size, real.data(), imaginary.data(), &left, &size,
-                right.values.data(), &size, work.data(), &work_size, &info);
-    if (info != 0) throw std::logic_error("real_eigen: LAPACK geev failed with info " + std::to_string(info));
-    std::vector<int> order(static_cast<std::size_t>(n));
-    std::iota(order.begin(), order.end(), 0);
-    std::ranges::sort(order, {}, [&](int k) { return real[static_cast<std::size_t>(k)]; });
-    Eigen sorted{{}, SmallMatrix(n)};
-    for (int k = 0; k < n; ++k) {
-        sorted.values.push_back(real[static_cast<std::size_t>(order[static_cast<std::size_t>(k)])]);
-        for (int i = 0; i < n; ++i) sorted.vectors.at(k, i) = right.at(order[static_cast<std::size_t>(k)], i);
-    }
-    return sorted;
 }
 
 }  // namespace soft::linalg

@@ -25,14 +25,4 @@ struct SmallMatrix {
 /// Number of negative eigenvalues of the symmetric part.
 [[nodiscard]] int negative_eigenvalues(const SmallMatrix& A);
 
-/// Eigenvalues, ascending, and unit eigenvectors, one per row of `vectors`.
-struct Eigen {
-    std::vector<double> values;
-    SmallMatrix vectors;
-};
-[[nodiscard]] Eigen symmetric_eigen(SmallMatrix A);
-/// For a matrix whose eigenvalues are known to be real; imaginary parts are rounding errors and are dropped. Throws
-/// std::logic_error if LAPACK does not converge.
-[[nodiscard]] Eigen real_eigen(const SmallMatrix& A);
-
 }  // namespace soft::linalg

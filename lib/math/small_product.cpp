@@ -12,10 +12,10 @@ static_assert(columns_at_once - 1 == gemm_padding);
 
 /// Vectors of the width of the processor's registers. Wider vectors are split through memory, which is six times slower on AVX2.
 struct FourNumbers {
-    using Vector = double __attribute__((vector_size(4 * sizeof(double))));
+    using Type = double __attribute__((vector_size(4 * sizeof(double))));
 };
 struct EightNumbers {
-    using Vector = double __attribute__((vector_size(8 * sizeof(double))));
+    using Type = double __attribute__((vector_size(8 * sizeof(double))));
 };
 
 struct Tile {
@@ -32,15 +32,15 @@ struct Tile {
 /// single unrolled loop and a partial copy is made entry by entry; otherwise the compiler spills all of them to memory at each d.
 template <int Rows, class Register, bool Whole>
 inline void multiply(const Tile& t, int kept) {
-    using Vector = typename Register::Vector;
-    constexpr int width = sizeof(Vector) / sizeof(double), vectors = columns_at_once / width;
-    Vector sum[Rows * vectors] = {};
+    using Numbers = typename Register::Type;
+    constexpr int width = sizeof(Numbers) / sizeof(double), vectors = columns_at_once / width;
+    Numbers sum[Rows * vectors] = {};
     for (int d = 0; d < t.depth; ++d) {
         const double* a = t.a + static_cast<std::ptrdiff_t>(d) * t.next_a;
         const double* numbers = t.b + static_cast<std::ptrdiff_t>(d) * t.next_b;
-        Vector b[vectors];
+        Numbers b[vectors];
 #pragma GCC unroll 2
-        for (int v = 0; v < vectors; ++v) std::memcpy(&b[v], numbers + v * width, sizeof(Vector));
+        for (int v = 0; v < vectors; ++v) std::memcpy(&b[v], numbers + v * width, sizeof(Numbers));
 #pragma GCC unroll 18
         for (int k = 0; k < Rows * vectors; ++k) sum[k] += a[k / vectors] * b[k % vectors];
     }
@@ -48,7 +48,7 @@ inline void multiply(const Tile& t, int kept) {
     for (int k = 0; k < Rows * vectors; ++k) {
         double* c = t.c + static_cast<std::ptrdiff_t>(k / vectors) * t.next_c + k % vectors * width;
         if constexpr (Whole) {
-            std::memcpy(c, &sum[k], sizeof(Vector));
+            std::memcpy(c, &sum[k], sizeof(Numbers));
         } else {
 #pragma GCC unroll 8
             for (int j = 0; j < width; ++j)

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/vector.hpp"
 #include "mesh/shape.hpp"
 
 namespace soft::mesh {
 namespace {
 
 using Xi = std::array<double, 3>;
-
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// sum w_i p_i
 template <std::size_t N>

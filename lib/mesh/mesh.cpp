@@ -93,6 +93,24 @@ std::vector<Facet> boundary_facets(const Mesh& mesh) {
     return boundary;
 }
 
+double extent_m(const Mesh& mesh) {
+    double largest = 0;
+    for (std::size_t d = 0; d < 3 && !mesh.points.empty(); ++d) {
+        const auto [low, high] = std::minmax_element(mesh.points.begin(), mesh.points.end(),
+                                                     [d](const Point& a, const Point& b) { return a[d] < b[d]; });
+        largest = std::max(largest, (*high)[d] - (*low)[d]);
+    }
+    return largest;
+}
+
+std::vector<double> by_component(std::span<const Point> points, std::span<const Index> nodes, int dimension) {
+    std::vector<double> x;
+    x.reserve(nodes.size() * static_cast<std::size_t>(dimension));
+    for (std::size_t i = 0; i < static_cast<std::size_t>(dimension); ++i)
+        for (const Index node : nodes) x.push_back(points[static_cast<std::size_t>(node)][i]);
+    return x;
+}
+
 void add_cell(Mesh& mesh, CellType type, std::span<const Index> nodes, std::int32_t region) {
     mesh.cell_types.push_back(type);
     mesh.connectivity.insert(mesh.connectivity.end(), nodes.begin(), nodes.end());

@@ -58,6 +58,17 @@ std::vector<Index> drop_unused_points(Mesh& mesh);
 /// All facets that belong to exactly one cell, in cell order.
 [[nodiscard]] std::vector<Facet> boundary_facets(const Mesh& mesh);
 
+/// Longest side of the bounding box of all points.
+[[nodiscard]] double extent_m(const Mesh& mesh);
+
+/// Nodes within this distance of a symmetry plane or the axis lie on it. The value is a fraction of the mesh's extent: far above
+/// rounding errors and far below any cell size.
+inline constexpr double plane_tolerance = 1e-9;
+
+/// Positions of some nodes, component by component ([component][node], `dimension` components): the order of the element kernels.
+[[nodiscard]] std::vector<double> by_component(std::span<const Point> points, std::span<const Index> nodes,
+                                               int dimension);
+
 /// Appends a cell; nodes in VTK order.
 void add_cell(Mesh& mesh, CellType type, std::span<const Index> nodes, std::int32_t region);
 

@@ -19,9 +19,6 @@ struct Side {
     double corner_length_m, height_m;
 };
 
-Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double norm(const Point& a) { return std::hypot(a[0], a[1], a[2]); }
-
 /// Vertices that define a corner: one vertex in a section, given twice; the two ends of an edge in a solid.
 using Ridge = std::pair<Index, Index>;
 
@@ -52,13 +49,13 @@ Side side_at(const Mesh& mesh, const std::vector<Index>& nodes, CellType type, s
     side.middle = at(centre, unused);
     const double length = norm(side.normal);
     for (double& component : side.normal) component /= length;
-    side.corner_length_m = norm(minus(mesh.point(nodes[first]), mesh.point(nodes[second])));
-    side.height_m = norm(minus(side.middle, side.corner)) * (facet.shape == Shape::triangle ? 3 : 2);
+    side.corner_length_m = norm(difference(mesh.point(nodes[first]), mesh.point(nodes[second])));
+    side.height_m = norm(difference(side.middle, side.corner)) * (facet.shape == Shape::triangle ? 3 : 2);
     return side;
 }
 
 bool is_sharp_reentrant(const Side& one, const Side& other) {
-    return dot(one.normal, other.normal) < sharp_cosine && dot(minus(other.middle, one.corner), one.normal) > 0;
+    return dot(one.normal, other.normal) < sharp_cosine && dot(difference(other.middle, one.corner), one.normal) > 0;
 }
 
 }  // namespace

@@ -9,9 +9,9 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "mesh/cell_map.hpp"
+#include "mesh/mesh.hpp"
 #include "meshing/msh_cells.hpp"
 #include "meshing/section_mesher.hpp"
-#include "model/cavity_surface.hpp"
 
 namespace soft::meshing {
 namespace {
@@ -156,7 +156,7 @@ private:
     }
 
     void flatten() {
-        const double tolerance = model::plane_tolerance * model::extent_m(result_);
+        const double tolerance = mesh::plane_tolerance * mesh::extent_m(result_);
         const double z = result_.points.front()[2];
         for (mesh::Point& p : result_.points) {
             if (std::abs(p[2] - z) > tolerance)

@@ -23,9 +23,8 @@ using Halfedge = SurfaceMesh::Halfedge_index;
 using EdgeIndex = SurfaceMesh::Edge_index;
 using mesh::Point;
 
-Vector3 between(const Point& a, const Point& b) { return along(b, -1, a); }
-double distance(const Point& a, const Point& b) { return norm(between(a, b)); }
-Vector3 area_vector(const std::array<Point, 3>& t) { return cross(between(t[0], t[1]), between(t[0], t[2])); }
+double distance(const Point& a, const Point& b) { return norm(difference(b, a)); }
+Vector3 area_vector(const std::array<Point, 3>& t) { return cross(difference(t[1], t[0]), difference(t[2], t[0])); }
 
 /// Shape quality: 1 for an equilateral triangle, 0 for a degenerate one: 2 sqrt(3) |area vector| / sum of the squared edge lengths.
 double shape_of(const std::array<Point, 3>& t) {
@@ -113,7 +112,7 @@ private:
         const auto own = creases_at(v);
         if (own.empty()) return false;
         if (own.size() != 2) return true;
-        const Vector3 a = between(at(other_end(own[0], v)), at(v)), b = between(at(v), at(other_end(own[1], v)));
+        const Vector3 a = difference(at(v), at(other_end(own[0], v))), b = difference(at(other_end(own[1], v)), at(v));
         return dot(a, b) < sharp_turn * norm(a) * norm(b);
     }
 

@@ -95,7 +95,7 @@ struct PressureLoad {
     std::string name;  ///< its key in the design: "cavity", "left"
     /// Names of cavities, or of one face (then `sealed` and `gas` are unused, no volume).
     std::vector<std::string> targets;
-    bool sealed = true;  ///< openings are plugged; see fem/cavity.hpp
+    bool sealed = true;  ///< openings are plugged; see fem/loads.hpp
     Gas gas;
     LoadShape shape = LoadShape::deformed;
     TimeFunction time_function = {};  ///< of the pressure, in a dynamic case

@@ -13,7 +13,6 @@ namespace soft::model {
 namespace {
 
 using mesh::Index;
-using mesh::Point;
 
 /// Edges that belong to exactly one facet of the set, in the order of the facets.
 std::vector<RimEdge> free_edges(const mesh::Mesh& mesh, std::span<const mesh::Facet> facets) {
@@ -48,18 +47,8 @@ bool on_symmetry_plane(const Case& model, const RimEdge& edge, double tolerance_
 
 }  // namespace
 
-double extent_m(const mesh::Mesh& mesh) {
-    double largest = 0;
-    for (std::size_t d = 0; d < 3 && !mesh.points.empty(); ++d) {
-        const auto [low, high] = std::minmax_element(mesh.points.begin(), mesh.points.end(),
-                                                     [d](const Point& a, const Point& b) { return a[d] < b[d]; });
-        largest = std::max(largest, (*high)[d] - (*low)[d]);
-    }
-    return largest;
-}
-
 std::vector<std::vector<RimEdge>> rims(const Case& model, std::span<const mesh::Facet> facets) {
-    const double tolerance_m = plane_tolerance * extent_m(model.mesh);
+    const double tolerance_m = mesh::plane_tolerance * mesh::extent_m(model.mesh);
     std::vector<RimEdge> edges = free_edges(model.mesh, facets);
     std::erase_if(edges, [&](const RimEdge& edge) { return on_symmetry_plane(model, edge, tolerance_m); });
 
@@ -79,6 +68,16 @@ std::vector<std::vector<RimEdge>> rims(const Case& model, std::span<const mesh::
     std::vector<std::vector<RimEdge>> out;
     for (auto& [_, chain] : chains) out.push_back(std::move(chain));
     return out;
+}
+
+std::array<bool, 3> planes_through(const Case& model, std::span<const RimEdge> rim) {
+    const double tolerance_m = mesh::plane_tolerance * mesh::extent_m(model.mesh);
+    std::array<bool, 3> cut{};
+    for (std::size_t d = 0; d < 3; ++d)
+        for (const RimEdge& edge : rim)
+            for (const Index node : edge)
+                cut[d] = cut[d] || (model.symmetry_planes[d] && std::abs(model.mesh.point(node)[d]) <= tolerance_m);
+    return cut;
 }
 
 std::vector<mesh::Facet> cavity_facets(const Case& model, const Cavity& cavity) {

@@ -20,9 +20,7 @@ using RimEdge = std::vector<mesh::Index>;
 /// reference configuration.
 [[nodiscard]] std::vector<std::vector<RimEdge>> rims(const Case& model, std::span<const mesh::Facet> facets);
 
-/// Nodes within this distance of a symmetry plane or the axis lie on it. The value is a fraction of the mesh's extent: far above
-/// rounding errors and far below any cell size.
-inline constexpr double plane_tolerance = 1e-9;
-[[nodiscard]] double extent_m(const mesh::Mesh& mesh);
+/// The symmetry planes x, y, z = 0 that cut a rim.
+[[nodiscard]] std::array<bool, 3> planes_through(const Case& model, std::span<const RimEdge> rim);
 
 }  // namespace soft::model

@@ -19,7 +19,7 @@ namespace soft::model {
 ///   radial: mean change of the distance from the axis `direction` through the origin [m]
 ///   rotation: component along `direction` of the rotation vector (axis times angle, angle at most pi) of the best-fit rigid
 ///         motion of the face [rad]
-///   curvature: curvature of the best-fit circle of the deformed face, projected along `direction` [1/m]; fem/curvature.hpp
+///   curvature: curvature of the best-fit circle of the deformed face, projected along `direction` [1/m]; fem/circle_fit.hpp
 ///   force: force of the actuator on its support or drive at the face, along `direction` [N]
 ///   moment: moment of those forces about the axis `direction` through the centroid of the undeformed face [N m]
 /// Force and moment are those of the whole actuator (plane strain: for a depth of 1 m).

@@ -1,30 +1,14 @@
 #pragma once
 /// Solver and time integration settings: the sections `solver` and `dynamics` of a design. Plain data, SI units. The default values
 /// apply to designs without these sections.
+#include "math/linear_settings.hpp"
 
 namespace soft::model {
 
-/// Solution of the linear systems in Newton's method.
-///   automatic: LDL^T by CHOLMOD if the factorisation is cheap, else by MUMPS; LU if the tangent is not symmetric enough
-///       (linalg/linear_solver.hpp); krylov with multigrid if a solid is too large to factorise (fem/element_levels.hpp)
-///   mumps_ldlt, mumps_lu, superlu_dist, cholmod: that factorisation; cholmod requires a positive definite tangent and one rank
-///   krylov: flexible GMRES on the assembled tangent         jacobian_free: flexible GMRES on finite differences of the residual
-enum class LinearMethod { automatic, mumps_ldlt, mumps_lu, superlu_dist, cholmod, krylov, jacobian_free };
-
-/// Preconditioner of the two Krylov methods. asm_*: additive Schwarz, one block per rank, solved by LU, ILU(0) or a BoomerAMG cycle.
-/// gamg: smoothed aggregation with the rigid body modes as near-nullspace. multigrid: p-multigrid from second-order to first-order
-/// cells, for mixed and displacement formulations (linalg/multigrid.hpp).
-enum class Preconditioner { lu, asm_lu, asm_ilu, asm_boomeramg, boomeramg, gamg, multigrid, jacobi, none };
+using soft::LinearMethod, soft::LinearSettings, soft::Preconditioner;
 
 /// Computation of the assembled tangent: exact derivatives, or finite differences of the residual with colouring.
 enum class TangentSource { exact, finite_difference };
-
-struct LinearSettings {
-    LinearMethod method = LinearMethod::automatic;
-    Preconditioner preconditioner = Preconditioner::asm_lu;
-    double tolerance = 1e-8;   ///< residual of a linear solve relative to its right-hand side
-    int iteration_limit = 40;  ///< a Krylov method that reaches it returns its best correction
-};
 
 /// full: a new tangent in every iteration. modified: the tangent of the first iteration of the step. bfgs: the same with BFGS
 /// updates (Broyden, Fletcher, Goldfarb, Shanno; Matthies and Strang 1979).

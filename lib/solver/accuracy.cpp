@@ -166,8 +166,8 @@ Solved solve_rows(Level& level, const Rows& coarse, const model::PathEnd& end, c
             solved.failure = "row " + std::to_string(i) + " does not converge on the mesh with " +
                              std::to_string(level.system.dofs().total) + " unknowns";
     }
-    counts.newton_iterations += path.iterations();
-    counts.factorizations += path.factorizations();
+    counts.newton_iterations += path.work().iterations;
+    counts.factorizations += path.work().factorizations;
     return solved;
 }
 

@@ -7,11 +7,13 @@
 
 namespace soft::solver {
 
-State copy_of(const State& state) {
-    State copy{linalg::duplicate(state.x), state.load_factor, state.pressures_Pa};
-    linalg::copy(state.x, copy.x);
+linalg::Vector copy_of(Vec x) {
+    linalg::Vector copy = linalg::duplicate(x);
+    linalg::copy(x, copy);
     return copy;
 }
+
+State copy_of(const State& state) { return {copy_of(state.x), state.load_factor, state.pressures_Pa}; }
 
 std::string_view name(ConstraintKind kind) {
     switch (kind) {
@@ -38,10 +40,10 @@ ConstraintValue evaluate(const Constraint& constraint, fem::System& system, cons
             result.by_pressures[constraint.index] = 1.0;
             return result;
         case ConstraintKind::volume:
-            result.value = system.load_volume(constraint.index, state.x, gradient, by_motion);
+            result.value = system.volumes().of_load(constraint.index, state.x, gradient, by_motion);
             break;
         case ConstraintKind::output:
-            result.value = system.output(constraint.index, state.x, gradient, &by_levels);
+            result.value = system.outputs().value(constraint.index, state.x, gradient, &by_levels);
             result.by_load_factor = fem::product(by_levels, loads.rate());
             for (std::size_t k = 0; k < free.size(); ++k) result.by_pressures[k] = by_levels.pressures_Pa[free[k]];
             return result;

@@ -20,6 +20,7 @@ struct State {
     std::vector<double> pressures_Pa;  ///< of the free supplies (StageLoads)
 };
 
+[[nodiscard]] linalg::Vector copy_of(Vec x);
 [[nodiscard]] State copy_of(const State& state);
 
 enum class ConstraintKind { load_factor, volume, output, arc, pressure };

@@ -52,8 +52,7 @@ void ResidualDifferences::make_scale() {
     const double length = node_distance_m(system_.input().mesh);
     for (const PetscInt dof : dofs.displacement)
         if (dof >= dofs.begin && dof < dofs.end) SOFT_PETSC(VecSetValue(scale_, dof, length, INSERT_VALUES));
-    SOFT_PETSC(VecAssemblyBegin(scale_));
-    SOFT_PETSC(VecAssemblyEnd(scale_));
+    linalg::assemble(scale_);
     linalg::copy(scale_, inverse_scale_);
     SOFT_PETSC(VecReciprocal(inverse_scale_));
 }
@@ -61,8 +60,7 @@ void ResidualDifferences::make_scale() {
 void ResidualDifferences::make_colors(Mat K) {
     linalg::Owned<MatColoring, MatColoringDestroy> method;
     linalg::Owned<ISColoring, ISColoringDestroy> classes;
-    SOFT_PETSC(MatAssemblyBegin(K, MAT_FINAL_ASSEMBLY));
-    SOFT_PETSC(MatAssemblyEnd(K, MAT_FINAL_ASSEMBLY));
+    linalg::assemble(K);
     SOFT_PETSC(MatColoringCreate(K, method.out()));
     SOFT_PETSC(MatColoringSetType(method, MATCOLORINGGREEDY));
     SOFT_PETSC(MatColoringSetDistance(method, 2));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "solver/constraint.hpp"
 
 namespace soft::solver {
 
@@ -23,14 +24,8 @@ const model::Dynamics& dynamics_of(const model::Case& input) {
 }
 
 MotionState copy_of(const MotionState& state) {
-    MotionState copy;
-    copy.time_s = state.time_s;
-    copy.masses_kg = state.masses_kg;
-    for (const auto member : {&MotionState::x, &MotionState::v, &MotionState::a, &MotionState::load_force}) {
-        copy.*member = linalg::duplicate(state.*member);
-        linalg::copy(state.*member, copy.*member);
-    }
-    return copy;
+    return {state.time_s,     copy_of(state.x),          copy_of(state.v),
+            copy_of(state.a), copy_of(state.load_force), state.masses_kg};
 }
 
 void fill_with_waves(Vec out) {
@@ -38,8 +33,7 @@ void fill_with_waves(Vec out) {
     SOFT_PETSC(VecGetOwnershipRange(out, &begin, &end));
     for (PetscInt i = begin; i < end; ++i)
         SOFT_PETSC(VecSetValue(out, i, std::sin(1.0 + 12.9898 * static_cast<double>(i)), INSERT_VALUES));
-    SOFT_PETSC(VecAssemblyBegin(out));
-    SOFT_PETSC(VecAssemblyEnd(out));
+    linalg::assemble(out);
 }
 
 MotionEquations::MotionEquations(fem::System& system, MassKind kind)
@@ -59,7 +53,7 @@ MotionEquations::MotionEquations(fem::System& system, MassKind kind)
     for (std::size_t load = 0; load < input_.loads.size(); ++load) {
         const auto& line = input_.loads[load].line;
         if (!line) continue;
-        if (!system.encloses_volume(load) || !(line->resistance_Pa_s_m3 > 0.0))
+        if (!system.volumes().has_volume(load) || !(line->resistance_Pa_s_m3 > 0.0))
             refuse("loads." + input_.loads[load].name, "a supply line needs a cavity and a resistance above zero",
                    "set line.resistance, or remove the line");
         lines_.push_back({load, input_.loads[load].gas, supplies[load].value, line->resistance_Pa_s_m3});
@@ -104,7 +98,8 @@ MotionState MotionEquations::rest() const {
     MotionState state{0.0, system_.make_vector(), system_.make_vector(), system_.make_vector(), system_.make_vector(),
                       {}};
     for (const auto& line : lines_)
-        state.masses_kg.push_back(solver::gas_mass_kg(line.gas, system_.load_volume(line.load, state.x, nullptr), 0.0));
+        state.masses_kg.push_back(
+            solver::gas_mass_kg(line.gas, system_.volumes().of_load(line.load, state.x, nullptr), 0.0));
     return state;
 }
 
@@ -164,7 +159,7 @@ double MotionEquations::shortest_change_s() const {
 }
 
 double MotionEquations::line_volume(std::size_t k, Vec x, Vec gradient) {
-    return system_.load_volume(lines_.at(k).load, x, gradient);
+    return system_.volumes().of_load(lines_.at(k).load, x, gradient);
 }
 
 /// dP/dV = -n (P + a) / (V + D), dP/dm = n (P + a) / m of the polytropic gas.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <locale>
 #include <sstream>
-#include <stdexcept>
 
 #include "core/error.hpp"
 
@@ -19,10 +18,10 @@ struct Scalar {
     const PathPoint& last;
 
     [[nodiscard]] double operator()(double q) const {
-        const double value = goal_value(goal, last), slope = goal_slope(goal, last);
+        const double value = value_of(goal.constraint, last), slope = slope_of(goal.constraint, last);
         if (before == nullptr) return value + (q - last.q) * slope;
-        return hermite(hermite_weights(before->q, last.q, q), goal_value(goal, *before), goal_slope(goal, *before),
-                       value, slope);
+        return hermite(hermite_weights(before->q, last.q, q), value_of(goal.constraint, *before),
+                       slope_of(goal.constraint, *before), value, slope);
     }
 };
 
@@ -46,6 +45,16 @@ std::optional<double> first_meeting(const Scalar& curve, double begin, double en
         low_side = side;
     }
     return std::nullopt;
+}
+
+std::optional<Crossing> first_reached(const std::vector<Goal>& goals, const PathPoint* before, const PathPoint& last,
+                                      double begin, double end) {
+    std::optional<Crossing> first;
+    for (const auto& goal : goals) {
+        const auto q = first_meeting({goal, before, last}, begin, end);
+        if (q && (!first || *q < first->q)) first = Crossing{&goal, *q};
+    }
+    return first;
 }
 
 std::string with_unit(double value, double factor, const std::string& unit) {
@@ -100,47 +109,13 @@ std::vector<Goal> make_goals(const model::Case& input, int stage, const StageLoa
     return goals;
 }
 
-double goal_value(const Goal& goal, const PathPoint& point) {
-    const std::size_t index = goal.constraint.index;
-    switch (goal.constraint.kind) {
-        case ConstraintKind::load_factor: return point.state.load_factor;
-        case ConstraintKind::pressure: return point.state.pressures_Pa[index];
-        case ConstraintKind::volume: return point.load_volumes_m3[index];
-        case ConstraintKind::output: return point.outputs[index];
-        case ConstraintKind::arc: break;
-    }
-    throw std::logic_error("goal_value: an arc length cannot be a goal");
-}
-
-double goal_slope(const Goal& goal, const PathPoint& point) {
-    const std::size_t index = goal.constraint.index;
-    switch (goal.constraint.kind) {
-        case ConstraintKind::load_factor: return point.tangent.load_factor;
-        case ConstraintKind::pressure: return point.tangent.pressures[index];
-        case ConstraintKind::volume: return point.load_volume_slopes[index];
-        case ConstraintKind::output: return point.output_slopes[index];
-        case ConstraintKind::arc: break;
-    }
-    throw std::logic_error("goal_slope: an arc length cannot be a goal");
-}
-
 std::optional<Crossing> first_predicted(const std::vector<Goal>& goals, const PathPoint* before, const PathPoint& last,
                                         double q_end) {
-    std::optional<Crossing> first;
-    for (const auto& goal : goals) {
-        const auto q = first_meeting({goal, before, last}, last.q, q_end);
-        if (q && (!first || *q < first->q)) first = Crossing{&goal, *q};
-    }
-    return first;
+    return first_reached(goals, before, last, last.q, q_end);
 }
 
 std::optional<Crossing> first_between(const std::vector<Goal>& goals, const PathPoint& from, const PathPoint& to) {
-    std::optional<Crossing> first;
-    for (const auto& goal : goals) {
-        const auto q = first_meeting({goal, &from, to}, from.q, to.q);
-        if (q && (!first || *q < first->q)) first = Crossing{&goal, *q};
-    }
-    return first;
+    return first_reached(goals, &from, to, from.q, to.q);
 }
 
 }  // namespace soft::solver

@@ -19,10 +19,6 @@ struct Goal {
 [[nodiscard]] std::vector<Goal> make_goals(const model::Case& input, int stage, const StageLoads& loads,
                                            const std::vector<double>& undeformed_volumes_m3);
 
-/// Value and slope (per unit q) of a goal's quantity at a point.
-[[nodiscard]] double goal_value(const Goal& goal, const PathPoint& point);
-[[nodiscard]] double goal_slope(const Goal& goal, const PathPoint& point);
-
 struct Crossing {
     const Goal* goal = nullptr;
     double q = 0;  ///< where the cubic through the two points (or the tangent) meets the target

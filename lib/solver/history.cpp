@@ -1,6 +1,44 @@
 #include "solver/history.hpp"
 
+#include <stdexcept>
+
 namespace soft::solver {
+
+double value_of(const Constraint& constraint, const PathPoint& point) {
+    switch (constraint.kind) {
+        case ConstraintKind::load_factor: return point.state.load_factor;
+        case ConstraintKind::pressure: return point.state.pressures_Pa[constraint.index];
+        case ConstraintKind::volume: return point.load_volumes_m3[constraint.index];
+        case ConstraintKind::output: return point.outputs[constraint.index];
+        case ConstraintKind::arc: break;
+    }
+    throw std::logic_error("value_of: an arc length is no value of a state");
+}
+
+double slope_of(const Constraint& constraint, const PathPoint& point) {
+    switch (constraint.kind) {
+        case ConstraintKind::load_factor: return point.tangent.load_factor;
+        case ConstraintKind::pressure: return point.tangent.pressures[constraint.index];
+        case ConstraintKind::volume: return point.load_volume_slopes[constraint.index];
+        case ConstraintKind::output: return point.output_slopes[constraint.index];
+        case ConstraintKind::arc: break;
+    }
+    throw std::logic_error("slope_of: an arc length is no value of a state");
+}
+
+double distance(Vec a, Vec b) {
+    const linalg::Vector difference = copy_of(a);
+    linalg::add(difference, -1.0, b);
+    return linalg::norm(difference);
+}
+
+State moved(const State& from, double length, const PathTangent& direction) {
+    State to = copy_of(from);
+    linalg::add(to.x, length, direction.x);
+    to.load_factor += length * direction.load_factor;
+    for (std::size_t k = 0; k < to.pressures_Pa.size(); ++k) to.pressures_Pa[k] += length * direction.pressures[k];
+    return to;
+}
 
 HermiteWeights hermite_weights(double q0, double q1, double q) {
     const double h = q1 - q0, s = (q - q0) / h;
@@ -13,16 +51,8 @@ double hermite(const HermiteWeights& weights, double y0, double slope0, double y
 }
 
 State predict(const PathPoint* before, const PathPoint& last, double q) {
+    if (before == nullptr) return moved(last.state, q - last.q, last.tangent);
     State state{linalg::duplicate(last.state.x), 0.0, last.state.pressures_Pa};
-    if (before == nullptr) {
-        const double step = q - last.q;
-        linalg::copy(last.state.x, state.x);
-        linalg::add(state.x, step, last.tangent.x);
-        state.load_factor = last.state.load_factor + step * last.tangent.load_factor;
-        for (std::size_t k = 0; k < state.pressures_Pa.size(); ++k)
-            state.pressures_Pa[k] += step * last.tangent.pressures[k];
-        return state;
-    }
     const auto w = hermite_weights(before->q, last.q, q);
     linalg::add(state.x, w.y0, before->state.x);
     linalg::add(state.x, w.slope0, before->tangent.x);

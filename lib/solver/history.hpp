@@ -26,6 +26,16 @@ struct PathPoint {
     double leading = 0, leading_slope = 0;  ///< the load a curve shows (model::leading_load): [Pa], or the load factor
 };
 
+/// Value of the quantity that a constraint prescribes, and its slope (per unit q), at a point whose values have been read; not for arc.
+[[nodiscard]] double value_of(const Constraint& constraint, const PathPoint& point);
+[[nodiscard]] double slope_of(const Constraint& constraint, const PathPoint& point);
+
+/// |a - b|
+[[nodiscard]] double distance(Vec a, Vec b);
+
+/// `from` + `length` x `direction`
+[[nodiscard]] State moved(const State& from, double length, const PathTangent& direction);
+
 /// Cubic Hermite weights of (y0, y0', y1, y1') at q.
 struct HermiteWeights {
     double y0, slope0, y1, slope1;

@@ -18,7 +18,7 @@
 namespace soft::solver {
 
 struct StepResult {
-    StageResult newton;
+    NewtonResult newton;
     std::optional<double>
         error_m;  ///< norm of the step's error over the displacement unknowns, where the method estimates it
 };

@@ -17,7 +17,7 @@ namespace {
 
 /// Adaptive steps: the first step relative to the shortest change of the loads; the step after a kink relative to the one before it.
 constexpr double first_share = 1e-3, share_after_kink = 0.1;
-constexpr double growth_without_estimate = 2.0, max_growth = 2.0, min_shrink = 0.3, rejection = 1.5;
+constexpr double growth_without_estimate = 2.0, max_step_growth = 2.0, min_step_factor = 0.3, rejection = 1.5;
 /// The size of the motion is at least this fraction of the linear response.
 constexpr double size_share = 0.1;
 /// Steps of the starting method before generalised alpha (see the header): as many as its error estimate needs.
@@ -138,8 +138,7 @@ void MotionFollower::choose_first_step() {
     } else if (!is_constant()) {
         if (!stage_->factorize(last_.x, fem::no_loads(input_), 0.0, 1.0 / (duration * duration))) return;
         (void)equations_.evaluate(last_.x, equations_.full_levels(), nullptr);
-        linalg::Vector force = linalg::duplicate(last_.x), response = linalg::duplicate(last_.x);
-        linalg::copy(equations_.load_force(), force);
+        const linalg::Vector force = copy_of(equations_.load_force()), response = linalg::duplicate(last_.x);
         std::vector<double> none;
         if (stage_->solve_linear(force, std::vector<LineRow>(equations_.line_count()), response, none))
             size_ = size_share * equations_.displacement_norm(response);
@@ -167,12 +166,12 @@ void MotionFollower::update_stable_step() {
     const double own = round_step_size(stable_share * stable_step_s_);
     const bool keeps = is_constant() && (rows_ == 0 || dynamics_.step_s <= nearly_unstable * stable_step_s_);
     if (is_constant() && !keeps && step_s_ == dynamics_.step_s)
-        log("the stable step has fallen to " + short_text(stable_step_s_) + " s: the step becomes " + short_text(own) +
-            " s");
+        listeners_.report("the stable step has fallen to " + short_text(stable_step_s_) + " s: the step becomes " +
+                          short_text(own) + " s");
     step_s_ = keeps ? std::min(dynamics_.step_s, dynamics_.duration_s) : own;
     if (rows_ == 0)
-        log("highest frequency " + short_text(stable_->frequency()) + " rad/s, stable step " +
-            short_text(stable_step_s_) + " s");
+        listeners_.report("highest frequency " + short_text(stable_->frequency()) + " rad/s, stable step " +
+                          short_text(stable_step_s_) + " s");
     const double steps = (dynamics_.duration_s - last_.time_s) / step_s_;
     if (steps_ == 0 && steps > explicit_step_limit)
         finish(StopReason::step_limit, "the motion needs " + short_text(steps) + " explicit steps of " +
@@ -215,8 +214,8 @@ void MotionFollower::advance() {
     if (!result) return;
     const auto error = relative_error(*result, h);
     if (is_adaptive() && error && *error > rejection * dynamics_.accuracy) {
-        log("step of " + short_text(h) + " s has a relative error of " + short_text(*error) +
-            ": repeated with a shorter step");
+        listeners_.report("step of " + short_text(h) + " s has a relative error of " + short_text(*error) +
+                          ": repeated with a shorter step");
         adapt(error, h);
         if (step_s_ < settings_.min_step * first_step_s_)
             finish(StopReason::diverged,
@@ -231,8 +230,7 @@ void MotionFollower::accept(double step_s, std::optional<double> error) {
     ++steps_;
     integrate_energies(last_, next_);
     if (is_adaptive() && error_constant_ > 0.0) {
-        history_.push_front({last_.time_s, linalg::duplicate(last_.x)});
-        linalg::copy(last_.x, history_.front().x);
+        history_.push_front({last_.time_s, copy_of(last_.x)});
         if (history_.size() > static_cast<std::size_t>(order_)) history_.pop_back();
     }
     std::swap(last_, next_);
@@ -285,7 +283,7 @@ void MotionFollower::adapt(std::optional<double> error, double step_s) {
     double factor = growth_without_estimate;
     if (error) {
         factor = 0.9 * std::pow(dynamics_.accuracy / std::max(*error, 1e-15), 1.0 / (order_ + 1));
-        factor = std::clamp(factor, min_shrink, max_growth);
+        factor = std::clamp(factor, min_step_factor, max_step_growth);
     }
     step_s_ = round_step_size(factor * step_s);
     first_step_s_ = std::max(first_step_s_, step_s);

@@ -33,12 +33,12 @@ bool is_finite(const model::Step& step) {
 
 }  // namespace
 
-void MotionFollower::handle_failure(const StageResult& failure, double step_s) {
+void MotionFollower::handle_failure(const NewtonResult& failure, double step_s) {
     step_s_ = round_step_size(cut_after_failure * step_s);
     const bool inverted = failure.end == NewtonEnd::inverted;
-    log("step of " + short_text(step_s) + " s failed (" + std::string(text_of(failure.end)) + ", " +
-        core::counted(failure.iterations, "iteration") + ", residual " + short_text(failure.residual) + ", min det F " +
-        short_text(failure.min_jacobian) + "): cut to " + short_text(step_s_) + " s");
+    listeners_.report("step of " + short_text(step_s) + " s failed (" + std::string(text_of(failure.end)) + ", " +
+                      core::counted(failure.iterations, "iteration") + ", residual " + short_text(failure.residual) +
+                      ", min det F " + short_text(failure.min_jacobian) + "): cut to " + short_text(step_s_) + " s");
     if (step_s_ >= settings_.min_step * first_step_s_) return;
     const std::string location = solver::location_text(failure.worst_cell, input_),
                       when = short_text(last_.time_s) + " s";

@@ -49,7 +49,7 @@ private:
     [[nodiscard]] bool is_adaptive() const noexcept { return !is_constant() && !explicit_; }
 
     // motion_ends.cpp
-    void handle_failure(const StageResult& failure, double step_s);
+    void handle_failure(const NewtonResult& failure, double step_s);
     /// Why the state of this row is impossible: it is not finite, or explicit steps have created energy. nullopt otherwise.
     [[nodiscard]] std::optional<std::string> check_plausibility(const model::Step& step) const;
     void finish(model::StopReason reason, std::string detail);
@@ -58,9 +58,6 @@ private:
     void integrate_energies(const MotionState& from, const MotionState& to);
     [[nodiscard]] solver::PathPoint measure();
     void append();
-    void log(const std::string& line) const {
-        if (listeners_.log) listeners_.log(line);
-    }
 
     fem::System& system_;
     const model::Case& input_;

@@ -6,16 +6,6 @@
 
 namespace soft::solver {
 
-namespace {
-
-linalg::Vector duplicate_of(Vec from) {
-    linalg::Vector copy = linalg::duplicate(from);
-    linalg::copy(from, copy);
-    return copy;
-}
-
-}  // namespace
-
 /// Trapezoidal rule for the work of the forces along the step.
 void MotionFollower::integrate_energies(const MotionState& from, const MotionState& to) {
     linalg::Vector change = linalg::duplicate(to.x), force = linalg::duplicate(to.x);
@@ -33,9 +23,9 @@ void MotionFollower::integrate_energies(const MotionState& from, const MotionSta
 
 solver::PathPoint MotionFollower::measure() {
     solver::PathTangent velocity;
-    velocity.x = duplicate_of(last_.v);
+    velocity.x = copy_of(last_.v);
     velocity.load_factor = 1.0 / dynamics_.duration_s;
-    solver::PathPoint point{{duplicate_of(last_.x), last_.time_s / dynamics_.duration_s, {}}, std::move(velocity)};
+    solver::PathPoint point{{copy_of(last_.x), last_.time_s / dynamics_.duration_s, {}}, std::move(velocity)};
     const auto levels = equations_.levels(last_.time_s, equations_.line_pressures(last_.x, last_.masses_kg));
     const auto rates = equations_.rates(last_.time_s, equations_.line_rates(last_));
     solver::read_values(system_, levels, rates, last_row_ ? &*last_row_ : nullptr, point);
@@ -55,8 +45,9 @@ void MotionFollower::append() {
     if (auto problem = check_plausibility(step)) return finish(model::StopReason::diverged, std::move(*problem));
     iterations_since_row_ = 0;
     factorizations_at_row_ = factorizations;
-    log("row " + std::to_string(rows_) + ": " + short_text(last_.time_s) + " s, " + solver::state_text(point, input_) +
-        ", step " + short_text(step_s_) + " s, " + core::counted(step.newton_iterations, "iteration"));
+    listeners_.report("row " + std::to_string(rows_) + ": " + short_text(last_.time_s) + " s, " +
+                      solver::state_text(point, input_) + ", step " + short_text(step_s_) + " s, " +
+                      core::counted(step.newton_iterations, "iteration"));
     ++rows_;
     listeners_.step(step, last_.x);
     if (listeners_.contact && input_.path.contact == model::Contact::stop)

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "model/cavity_surface.hpp"
+#include "mesh/mesh.hpp"
 
 namespace soft::solver {
 
@@ -84,7 +84,7 @@ NewtonResult Newton::correct_by(model::LineSearch line_search, const Constraint&
         return now.result;
     };
     if (!now.evaluation.admissible()) return report(NewtonEnd::inverted);
-    State trial{linalg::duplicate(state.x), state.load_factor, state.pressures_Pa};
+    State trial = copy_of(state);
     now.residual = linalg::norm(R_);
     now.first_force_scale = now.evaluation.force_scale;
     now.constraint_tolerance = settings_.residual_tolerance * std::max(std::abs(target), constraint.scale);
@@ -137,20 +137,17 @@ std::optional<NewtonEnd> Newton::check_convergence(const State& state, Correctio
 double Newton::change_by_digits(const State& state, const fem::LoadLevels& levels) {
     const model::Case& input = system_.input();
     const double nodes = static_cast<double>(input.mesh.points.size());
-    const double cell_m = model::extent_m(input.mesh) / std::pow(nodes, 1.0 / input.mesh.dimension);
-    const linalg::Vector nearby = linalg::duplicate(state.x);
-    linalg::copy(state.x, nearby);
+    const double cell_m = mesh::extent_m(input.mesh) / std::pow(nodes, 1.0 / input.mesh.dimension);
+    const linalg::Vector nearby = copy_of(state.x);
     for (PetscInt i = system_.dofs().begin; i < system_.dofs().end; ++i) {
         double value = 0;
         SOFT_PETSC(VecGetValues(state.x, 1, &i, &value));
         const double digit = std::numeric_limits<double>::epsilon() * (std::abs(value) + cell_m);
         SOFT_PETSC(VecSetValue(nearby, i, value + (i % 3 == 0 ? -digit : digit), INSERT_VALUES));
     }
-    SOFT_PETSC(VecAssemblyBegin(nearby));
-    SOFT_PETSC(VecAssemblyEnd(nearby));
+    linalg::assemble(nearby);
     static_cast<void>(system_.evaluate(state.x, levels, R_, nullptr));
-    const linalg::Vector change = linalg::duplicate(R_);
-    linalg::copy(R_, change);
+    const linalg::Vector change = copy_of(R_);
     static_cast<void>(system_.evaluate(nearby, levels, R_, nullptr));
     linalg::add(change, -1.0, R_);
     assembled_at_.reset();
@@ -266,9 +263,8 @@ Search Newton::move(const Increment& step, const State& state, State& trial, Cor
 
 /// Adds the secant pair of a correction that was applied with `length`.
 void Newton::add_secant_pair(double length) {
-    linalg::Vector s = linalg::duplicate(R_), y = linalg::duplicate(R_);
+    linalg::Vector s = linalg::duplicate(R_), y = copy_of(R_);
     linalg::add(s, length, correction_);
-    linalg::copy(R_, y);
     linalg::add(y, 1.0, minus_R_before_);
     linalg::add(y, length, load_change_);
     updates_.add(std::move(s), std::move(y));

@@ -75,6 +75,8 @@ struct PathTangent {
 /// Multiplies everything per unit of the path parameter by `factor`.
 void scale(PathTangent& tangent, double factor);
 
+[[nodiscard]] linalg::Symmetry symmetry_of(const fem::System& system);
+
 class Newton {
 public:
     Newton(fem::System& system, const model::SolverSettings& settings);

@@ -9,16 +9,16 @@ namespace soft::solver {
 
 namespace {
 
-linalg::Symmetry symmetry_of(const fem::System& system) {
-    return system.has_symmetric_tangent() ? linalg::Symmetry::symmetric : linalg::Symmetry::general;
-}
-
 model::SolverSettings with_choice(const fem::System& system, model::SolverSettings settings) {
     settings.linear = fem::choose_linear(settings.linear, system.input(), system.dofs().total);
     return settings;
 }
 
 }  // namespace
+
+linalg::Symmetry symmetry_of(const fem::System& system) {
+    return system.has_symmetric_tangent() ? linalg::Symmetry::symmetric : linalg::Symmetry::general;
+}
 
 Newton::Newton(fem::System& system, const model::SolverSettings& settings)
     : system_(system),
@@ -66,8 +66,7 @@ fem::Evaluation Newton::evaluate_at(const State& state, Assemble what) {
     const auto evaluation = system_.evaluate(state.x, levels, R_, matrix, wanted_);
     assembled_at_.reset();
     if (matrix == K_ && evaluation.admissible()) {
-        assembled_at_.emplace(State{linalg::duplicate(state.x), state.load_factor, state.pressures_Pa});
-        linalg::copy(state.x, assembled_at_->x);
+        assembled_at_ = copy_of(state);
     }
     return evaluation;
 }
@@ -114,7 +113,7 @@ void Newton::evaluate_rows(const Constraint& constraint, const State& state) {
     const auto& motions = loads_->rate().motions;
     for (std::size_t k = 0; k < free.size(); ++k) {
         std::vector<double> by_motion(motions.size(), 0.0);
-        const double volume = system_.load_volume(free[k], state.x, gradients_[k], by_motion);
+        const double volume = system_.volumes().of_load(free[k], state.x, gradients_[k], by_motion);
         supply_.push_back(loads_->equation(k, volume, state.pressures_Pa[k], state.load_factor));
         volume_by_load_factor_.push_back(std::inner_product(by_motion.begin(), by_motion.end(), motions.begin(), 0.0));
     }

@@ -1,73 +1,276 @@
 #include "solver/path.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "fem/rigid_motion.hpp"
+#include "solver/control.hpp"
+#include "solver/kink.hpp"
+#include "solver/path_end.hpp"
 #include "solver/path_follower.hpp"
+#include "solver/path_text.hpp"
+#include "solver/stages.hpp"
+#include "solver/stepping.hpp"
+#include "solver/work.hpp"
 
 namespace soft::solver {
 
-using model::PathEnd;
+using model::StopReason;
 
-Error start_error(NewtonEnd end, const std::string& problem) {
-    if (end == NewtonEnd::not_definite)
-        return Error(
-            ExitCode::bad_input, "solver.linear",
-            "cholmod needs a positive definite tangent, which this case does not have",
-            "use mumps-ldlt; the pressure unknowns of mixed cells (mesh.formulation) make the tangent indefinite");
-    if (end == NewtonEnd::linear_solver)
-        return Error(ExitCode::bad_input, "solver.linear", problem + ": the linear solver does not converge",
-                     "use another solver.linear or solver.preconditioner, or increase solver.linear_limit");
-    return Error(ExitCode::bad_input, "materials", problem, "check the moduli of the materials");
-}
+namespace {
 
-PathEnd PathFollower::run(const model::Checkpoint* from) {
-    prepare();
-    if (from != nullptr)
-        restore(*from);
-    else
-        start();
-    while (!finished_) {
-        const int rows = rows_;
-        advance();
-        if (!finished_ && rows_ > rows) keep_checkpoint();
-    }
-    end_.factorizations = factorizations_before_ + newton_.factorizations();
-    return std::move(end_);
-}
+/// Factor on min_step under arc-length control. The arc length is that of the whole body: a fold in which only one cell snaps through
+/// turns within a very small fraction of any other step.
+constexpr double arc_of_one_cell = 1e-3;
+/// Of a failed step.
+constexpr double cut_of_failed_step = 0.4;
 
-void PathFollower::prepare() {
-    if (const auto motion = fem::free_rigid_motion(input_))
+void check_case(const model::Case& input) {
+    if (const auto motion = fem::free_rigid_motion(input))
         throw Error(ExitCode::bad_input, "supports", "no support prevents a rigid " + *motion,
                     "fix a face in that direction");
-    if (input_.path.stages.empty()) throw Error(ExitCode::bad_input, "path", "the load programme has no stages");
-    undeformed_volumes_m3_ = undeformed_volumes_m3(system_);
-    if (input_.path.frequencies > 0) frequencies_.emplace(system_, input_.path.frequencies);
+    if (input.path.stages.empty()) throw Error(ExitCode::bad_input, "path", "the load programme has no stages");
+}
+
+/// Where the next row will be.
+model::LimitPoint location_of(const PathPoint& point, const PathState& path, const fem::System& system) {
+    model::LimitPoint location{path.rows, point.leading, std::nullopt, point.outputs};
+    if (!system.input().loads.empty() && system.volumes().has_volume(0)) location.volume_m3 = point.load_volumes_m3[0];
+    return location;
+}
+
+std::string attempt_text(double step, double next, const NewtonResult& result) {
+    return "step of " + short_text(step) + " failed (" + std::string(text_of(result.end)) + ", " +
+           core::counted(result.iterations, "iteration") + ", " + core::counted(result.halvings, "halving") +
+           " of the line search, residual " + short_text(result.residual) + ", min det F " +
+           short_text(result.min_jacobian) + "): cut to " + short_text(next);
+}
+
+std::string row_text(const PathPoint& point, const PredictorError& error, int iterations) {
+    const auto& modes = point.tangent.unstable_modes;
+    return ", predictor error " + short_text(error.state) + " (load " + short_text(error.load) + "), " +
+           core::counted(iterations, "iteration") + (modes ? ", unstable modes " + std::to_string(*modes) : "");
+}
+
+}  // namespace
+
+PathFollower::PathFollower(fem::System& system, const Listeners& listeners)
+    : system_(system),
+      input_(system.input()),
+      listeners_(listeners),
+      corrector_(system),
+      recorder_(corrector_, listeners) {
+    path_.undeformed_volumes_m3 = undeformed_volumes_m3(system);
+}
+
+model::PathEnd PathFollower::run(const model::Checkpoint* from) {
+    if (from != nullptr) {
+        restore(*from, corrector_, path_);
+        recorder_.resume(*from);
+        recorder_.report_control(path_);
+    } else {
+        start();
+    }
+    while (!path_.finished) {
+        const int rows = path_.rows;
+        step();
+        if (!path_.finished && path_.rows > rows) recorder_.keep_checkpoint(path_);
+    }
+    return recorder_.end_of(path_);
 }
 
 void PathFollower::start() {
-    set_stage(0, unloaded(input_, undeformed_volumes_m3_));
-    if (!loads_->changes())
+    set_stage(0, unloaded(input_, path_.undeformed_volumes_m3), corrector_, path_);
+    if (!path_.loads->changes())
         throw Error(ExitCode::bad_input, "loads", "no load acts on the body", "set loads.cavity.pressure");
-    State state{system_.make_vector(), 0.0, {}};
-    state.pressures_Pa.assign(loads_->free_supplies().size(), 0.0);
+    State state{system_.make_vector(), 0.0, std::vector(path_.loads->free_supplies().size(), 0.0)};
     if (system_.has_initial_stress()) {  // row 0 is the unloaded equilibrium, not the undeformed state
-        newton_result_ = newton_.correct({ConstraintKind::load_factor}, 0.0, state);
-        if (newton_result_.end != NewtonEnd::converged)
-            throw start_error(newton_result_.end, "no equilibrium without load under the law's initial stress");
+        const NewtonEnd end = corrector_.newton().correct({ConstraintKind::load_factor}, 0.0, state).end;
+        if (end != NewtonEnd::converged)
+            throw start_error(end, "no equilibrium without load under the law's initial stress");
     }
-    begin_stage(std::move(state));
-    append(*last_);
+    begin(std::move(state));
+    recorder_.append(path_, *path_.last);
 }
 
-void PathFollower::finish(model::StopReason reason, std::string detail) {
-    end_.reason = reason;
-    end_.detail = std::move(detail);
-    finished_ = true;
+/// One step of the path: predict, correct, check; events; record; adapt.
+void PathFollower::step() {
+    if (auto stop = stop_before_step(path_, input_)) return finish(std::move(*stop));
+    if (path_.rows > last_row_of_stage(path_, input_)) return end_stage("number of steps");
+
+    const Aim aim = aim_of(path_, corrector_);
+    auto point =
+        corrector_.solve_at(frame_of(path_), aim.constraint, aim.target, guess_of(aim, path_, input_.solver.predictor));
+    if (!point) return recover();
+
+    const PredictorError error = error_of(system_, path_, aim, *point);
+    if (is_refused(system_, path_, error, *point)) {
+        path_.attempts.rejected_error = error.state;
+        return recover();
+    }
+    const bool may_jump = system_.has_fibers() && path_.attempts.failures < failures_before_kink;
+    if (may_jump && breaks_energy_balance(corrector_, path_, *point)) return recover();
+    const double taken = point->q - path_.last->q;
+    if (shorten_for_the_curve(system_, path_, aim, error.larger(), taken))
+        return report_row("step of " + short_text(taken) + " is too long for the curve (predictor error " +
+                          short_text(error.larger()) + "): repeated with a shorter step");
+    path_.attempts = {};
+    report_row(describe(*point) + row_text(*point, error, corrector_.last_result().iterations));
+
+    const auto contact = find_contact(corrector_, path_, listeners_, *point);
+    const Goal* goal = aim.crossing && !contact ? aim.crossing->goal : nullptr;
+    if (const auto passed = goal != nullptr ? std::nullopt : first_between(path_.goals, *path_.last, *point)) {
+        goal = passed->goal;
+        point = corrector_.solve_at(frame_of(path_), goal->constraint, goal->target,
+                                    predict(&*path_.last, *point, passed->q));
+        if (!point) return recover();
+    }
+    if (pass_events(events_before(*point, corrector_, path_, listeners_))) return;
+
+    commit(std::move(*point));
+    if (goal != nullptr) return end_stage(goal->text);
+    if (contact) return finish({contact->reason, contact->end_at(describe(*path_.last))});
+    if (auto stop = stop_at_row(path_, input_)) return finish(std::move(*stop));
+
+    path_.step = next_step(input_.solver, path_, aim, error, corrector_.last_result());
+    if (const auto change = better_control(system_, path_)) change_control(*change);
 }
 
-PathEnd follow_path(fem::System& system, const Listeners& listeners, const model::Checkpoint* from) {
+void PathFollower::commit(PathPoint point) {
+    recorder_.append(path_, point);
+    path_.before = std::move(path_.last);
+    path_.last = std::move(point);
+}
+
+bool PathFollower::pass_events(Events events) {
+    for (Event& event : events.list) {
+        const model::LimitPoint location = location_of(event.point, path_, system_);
+        if (event.kind == Event::Kind::limit_point) path_.end.limit_points.push_back(location);
+        if (event.kind == Event::Kind::bifurcation) {
+            path_.end.bifurcations.push_back({location, event.modes, {}});
+            if (event.mode) {
+                system_.prescribe(fem::no_loads(input_));
+                path_.end.bifurcations.back().mode = system_.fields().gather(*event.mode).displacement_m;
+            }
+        }
+        recorder_.append(path_, event.point);
+        if (event.kind == Event::Kind::bifurcation) {
+            if (take_branch(event)) return true;
+        } else if (!events.control_ends.empty()) {
+            finish({StopReason::limit_point,
+                    events.control_ends + " at " + describe(event.point) +
+                        ": no equilibrium exists beyond it under this control; use path.control: auto to continue"});
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Perturbs the state along the mode, with largest displacement `imperfection`, then re-equilibrates at this arc length: a point of
+/// the branch, from which the path continues.
+bool PathFollower::take_branch(Event& bifurcation) {
+    if (input_.path.branch != model::Branch::follow || path_.on_branch || !bifurcation.mode) return false;
+    const linalg::Vector& mode = *bifurcation.mode;
+    const double imperfection_m = input_.path.imperfection_m, length = linalg::norm(mode);
+    const Constraint arc{ConstraintKind::arc};
+    PathPoint origin = std::move(bifurcation.point);
+    origin.q = 0.0;
+    origin.tangent = {linalg::duplicate(mode), 0.0, std::vector(origin.state.pressures_Pa.size(), 0.0), {}, 0.0};
+    linalg::add(origin.tangent.x, 1.0 / length, mode);
+    origin.level_slopes = fem::no_loads(input_);
+    State guess = copy_of(origin.state);
+    linalg::add(guess.x, imperfection_m, mode);
+    Constraint perturbed = bind(arc, origin);
+    perturbed.scale = imperfection_m * length;
+    auto point = corrector_.solve_at({*path_.loads, arc, origin}, perturbed, perturbed.scale, std::move(guess));
+    if (!point) {
+        listeners_.report(
+            "no branch is found at path.imperfection from the bifurcation: the path continues without it");
+        return false;
+    }
+    listeners_.report("on the branch: " + describe(*point));
+    path_.on_branch = true;
+    path_.control = arc;
+    path_.step = path_.first_step = perturbed.scale;
+    recorder_.report_control(path_);
+    path_.last = std::move(origin);
+    commit(std::move(*point));
+    path_.before.reset();
+    return true;
+}
+
+/// The recovery strategy: a shorter step (the line search has already acted inside each attempt), then another control, and finally
+/// the end of the path with the location where smaller cells would help.
+void PathFollower::recover() {
+    const NewtonResult attempt = corrector_.last_result();
+    const int failures = ++path_.attempts.failures;
+    const double failed = std::exchange(path_.step, path_.step * cut_of_failed_step);
+    report_row(attempt_text(failed, path_.step, attempt));
+    if (is_first_try(system_, path_, path_.step)) path_.first_step = path_.step;
+    const double share = std::abs(path_.step / path_.first_step) / input_.solver.min_step;
+    const bool too_short = share < 1.0;
+    const bool may_be_kink =
+        system_.has_fibers() && attempt.end != NewtonEnd::not_finite && (failures >= failures_before_kink || too_short);
+    if (auto point = may_be_kink ? pass_kink(corrector_, path_, failed) : std::nullopt) {
+        report_row("passed a kink to " + describe(*point));
+        if (path_.step < 0.0) rescale(system_, *path_.loads, *path_.last, -1.0);
+        path_.step = point->q - path_.last->q;
+        path_.attempts = {};
+        commit(std::move(*point));
+        path_.before.reset();  // no cubic through a kink
+        return;
+    }
+    if (const auto change = control_after_failure(system_, path_, too_short)) return change_control(*change);
+    if (failures > 1) path_.before.reset();  // the cubic extrapolates badly: return to the tangent
+    // A step below the accuracy of a state has no reliable direction: it may lead back.
+    const double known = equilibrium_margin * input_.solver.residual_tolerance * linalg::norm(path_.last->state.x);
+    if (!too_short || (share >= arc_of_one_cell && std::abs(path_.step) >= known && !is_nearly_inverted(attempt)))
+        return;
+    listeners_.report("no step converges: use smaller cells (mesh.size)");
+    finish(stop_without_step(path_, input_, attempt));
+}
+
+void PathFollower::begin(State state) {
+    if (auto stop = begin_stage(corrector_, path_, std::move(state))) return finish(std::move(*stop));
+    recorder_.report_control(path_);
+}
+
+void PathFollower::end_stage(const std::string& text) {
+    if (static_cast<std::size_t>(path_.stage) + 1 == input_.path.stages.size())
+        return finish({StopReason::done, text + " reached"});
+    listeners_.report("stage " + stage_of(input_, path_).name + " ends: " + text + " reached at " +
+                      describe(*path_.last));
+    begin(next_stage(corrector_, path_));
+    if (path_.finished || path_.loads->changes()) return;
+    path_.last->state.load_factor = 1.0;  // nothing changes: the same state again
+    recorder_.append(path_, *path_.last);
+    end_stage("end of a stage without load changes");
+}
+
+void PathFollower::change_control(const ControlChange& change) {
+    listeners_.report(change.reason + ": following the path by " + std::string(name(change.control.kind)));
+    if (stage_of(input_, path_).control != model::Control::automatic) path_.user_control = path_.control;
+    set_control(system_, path_, change.control);
+    recorder_.report_control(path_);
+}
+
+void PathFollower::finish(Stop stop) {
+    path_.end.reason = stop.reason;
+    path_.end.detail = std::move(stop.detail);
+    path_.finished = true;
+}
+
+std::string PathFollower::describe(const PathPoint& point) const { return state_text(point, input_); }
+
+void PathFollower::report_row(const std::string& text) const {
+    listeners_.report("row " + std::to_string(path_.rows) + ": " + text);
+}
+
+model::PathEnd follow_path(fem::System& system, const Listeners& listeners, const model::Checkpoint* from) {
+    check_case(system.input());
     return PathFollower(system, listeners).run(from);
 }
 

@@ -75,6 +75,10 @@ struct Listeners {
     ContactCheck contact = {};       ///< may be empty: walls pass through each other
     RowSink row = {};                ///< may be empty
     ControlSink control = {};        ///< may be empty
+
+    void report(const std::string& line) const {
+        if (log) log(line);
+    }
 };
 
 /// `from`: resumes there instead of starting at the undeformed state; rows before it are not passed to the sink again. The

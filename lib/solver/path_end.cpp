@@ -1,7 +1,10 @@
-/// Ends of a path that does not reach the requested load.
+#include "solver/path_end.hpp"
+
 #include <cmath>
 
-#include "solver/path_follower.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "solver/path_text.hpp"
 
 namespace soft::solver {
 
@@ -19,73 +22,108 @@ constexpr double far_beyond = 10.0, min_power = 0.5, reachable = 0.5, growth_for
 /// det F below which a cell counts as nearly inverted.
 constexpr double nearly_inverted = 0.05;
 
-}  // namespace
-
-bool PathFollower::is_past_limit_point() const {
-    return !end_.limit_points.empty() && end_.limit_points.back().step >= stage_first_row_ && load_falls(*last_);
+bool is_past_limit_point(const PathState& path) {
+    const auto& found = path.end.limit_points;
+    return !found.empty() && found.back().step >= path.first_row && path.load_falls(*path.last);
 }
 
-bool PathFollower::is_goal_unreachable() const {
-    return is_past_limit_point() && stretch_p99_ > input_.path.stretch_limit;
-}
-
-bool PathFollower::is_stalled() const {
-    if (settings_.steps == model::StepRule::constant || visited_.size() <= stalled_rows) return false;
-    return length_of(std::span(visited_).last(stalled_rows + 1)) < stalled_length * length_of(visited_);
+bool is_stalled(const PathState& path, model::StepRule steps) {
+    if (steps == model::StepRule::constant || path.visited.size() <= stalled_rows) return false;
+    return length_of(std::span(path.visited).last(stalled_rows + 1)) < stalled_length * length_of(path.visited);
 }
 
 /// A load that still grows, but too slowly to reach its value with finite numbers, as that of a long tube of neo-Hookean rubber,
 /// which has an asymptote instead of a maximum; or one whose rate falls with a power of the unknowns such that its limit is far below.
-bool PathFollower::is_out_of_reach() {
-    if (stretch_p99_ <= input_.path.stretch_limit || !before_) return false;
-    linalg::copy(last_->state.x, scratch_);
-    linalg::add(scratch_, -1.0, before_->state.x);
-    const double growth = linalg::norm(scratch_) / linalg::norm(last_->state.x);
-    const double gain = last_->state.load_factor - before_->state.load_factor, left = 1.0 - last_->state.load_factor;
+bool is_out_of_reach(const PathState& path, double stretch_limit) {
+    if (path.stretch_p99 <= stretch_limit || !path.before) return false;
+    const PathPoint &before = *path.before, &last = *path.last;
+    const double size = linalg::norm(last.state.x), growth = distance(last.state.x, before.state.x) / size;
+    const double gain = last.state.load_factor - before.state.load_factor, left = 1.0 - last.state.load_factor;
     if (left <= 0.0 || growth <= steady_growth) return false;
     if (std::abs(gain) < out_of_reach * growth * left) return true;
-    if (stretch_p99_ <= far_beyond * input_.path.stretch_limit || growth < growth_for_a_power) return false;
+    if (path.stretch_p99 <= far_beyond * stretch_limit || growth < growth_for_a_power) return false;
     const auto rise_of = [](const PathPoint& point) {  // d load factor / d log of the unknowns
-        const double size = linalg::norm(point.state.x);
-        return point.tangent.load_factor * size * size / linalg::dot(point.tangent.x, point.state.x);
+        const double norm = linalg::norm(point.state.x);
+        return point.tangent.load_factor * norm * norm / linalg::dot(point.tangent.x, point.state.x);
     };
-    const double rise = rise_of(*last_), before = rise_of(*before_);
-    const double log_growth = std::log(linalg::norm(last_->state.x) / linalg::norm(before_->state.x));
-    const double power = std::log(before / rise) / log_growth, mean = gain / log_growth;
-    return rise > 0.0 && rise < mean && mean < before && power > min_power && rise / power < reachable * left;
+    const double rise = rise_of(last), rise_before = rise_of(before);
+    const double log_growth = std::log(size / linalg::norm(before.state.x));
+    const double power = std::log(rise_before / rise) / log_growth, mean = gain / log_growth;
+    return rise > 0.0 && rise < mean && mean < rise_before && power > min_power && rise / power < reachable * left;
 }
 
-std::string PathFollower::return_text() const {
-    const auto found = find_return(visited_);
+/// Why the path ends: it has returned to states it has passed. Empty where it has not.
+std::string return_text(const PathState& path, const std::string& here) {
+    const auto found = find_return(path.visited);
     if (!found) return {};
-    const auto row = [&](std::size_t index) { return std::to_string(stage_first_row_ + static_cast<int>(index)); };
+    const auto row = [&](std::size_t index) { return std::to_string(path.first_row + static_cast<int>(index)); };
     if (found->sense == Return::Sense::forward)
         return "the requested load is not reached: the path is closed and has returned to row " + row(found->earlier) +
-               ", " + describe(*last_);
+               ", " + here;
     return "the requested load is not reached: the path retraces itself, from row " + row(found->first) +
            " on it passes its earlier states in the opposite direction, most recently row " + row(found->earlier) +
-           ", " + describe(*last_);
+           ", " + here;
 }
 
-bool PathFollower::is_nearly_inverted() const { return newton_result_.min_jacobian < nearly_inverted; }
+}  // namespace
 
-void PathFollower::abandon_path() {
-    const std::string location = location_text(newton_result_.worst_cell, input_);
-    log("no step converges: use smaller cells (mesh.size)");
-    if (newton_result_.end == NewtonEnd::inverted)
-        return finish(StopReason::inverted_element,
-                      "an element inverted (det F = " + short_text(newton_result_.min_jacobian) + ") " + location +
-                          "; use smaller cells there (mesh.size)");
-    if (is_nearly_inverted())
-        return finish(StopReason::inverted_element,
-                      "an element is nearly inverted (det F = " + short_text(newton_result_.min_jacobian) + ") " +
-                          location + " at " + describe(*last_) + "; use smaller cells there (mesh.size)");
-    if (newton_result_.end == NewtonEnd::linear_solver)
-        return finish(StopReason::diverged, "no equilibrium found beyond " + describe(*last_) + ": " + linear_remedy);
-    finish(StopReason::diverged, "no equilibrium found beyond " + describe(*last_) + " (" +
-                                     std::string(text_of(newton_result_.end)) + "); the largest distortion is " +
-                                     location + ", det F = " + short_text(newton_result_.min_jacobian) +
-                                     "; try smaller cells there (mesh.size)");
+Error start_error(NewtonEnd end, const std::string& problem) {
+    if (end == NewtonEnd::not_definite)
+        return Error(
+            ExitCode::bad_input, "solver.linear",
+            "cholmod needs a positive definite tangent, which this case does not have",
+            "use mumps-ldlt; the pressure unknowns of mixed cells (mesh.formulation) make the tangent indefinite");
+    if (end == NewtonEnd::linear_solver)
+        return Error(ExitCode::bad_input, "solver.linear", problem + ": the linear solver does not converge",
+                     "use another solver.linear or solver.preconditioner, or increase solver.linear_limit");
+    return Error(ExitCode::bad_input, "materials", problem, "check the moduli of the materials");
+}
+
+std::optional<Stop> stop_before_step(const PathState& path, const model::Case& input) {
+    const int limit = input.solver.step_limit;
+    if (path.rows > limit)
+        return Stop{StopReason::step_limit, core::counted(limit, "step") + (limit == 1 ? " was" : " were") +
+                                                " not enough; increase solver.step_limit"};
+    if (!is_stalled(path, input.solver.steps)) return std::nullopt;
+    const std::string where = ": the last " + std::to_string(stalled_rows) +
+                              " steps cover less than 1 % of its length, at " + state_text(*path.last, input);
+    if (is_past_limit_point(path))
+        return Stop{StopReason::limit_point,
+                    "the requested load is not reached: the path is past the limit point and stalls" + where};
+    return Stop{StopReason::diverged, "the path stalls" + where + "; try another mesh.size"};
+}
+
+std::optional<Stop> stop_at_row(const PathState& path, const model::Case& input) {
+    const std::string here = state_text(*path.last, input);
+    if (std::string returned = return_text(path, here); !returned.empty())
+        return Stop{StopReason::limit_point, std::move(returned)};
+    if (is_out_of_reach(path, input.path.stretch_limit))
+        return Stop{StopReason::limit_point,
+                    "the requested load is never reached: the load tends to little more than at " + here +
+                        ", and the stretch exceeds path.stretch_limit"};
+    if (is_past_limit_point(path) && path.stretch_p99 > input.path.stretch_limit)
+        return Stop{StopReason::limit_point,
+                    "the requested load is never reached: the path is past the limit point, and the stretch exceeds "
+                    "path.stretch_limit at " +
+                        here};
+    return std::nullopt;
+}
+
+bool is_nearly_inverted(const NewtonResult& attempt) { return attempt.min_jacobian < nearly_inverted; }
+
+Stop stop_without_step(const PathState& path, const model::Case& input, const NewtonResult& attempt) {
+    const std::string location = location_text(attempt.worst_cell, input), here = state_text(*path.last, input);
+    const std::string det = "det F = " + short_text(attempt.min_jacobian);
+    const char* remedy = "; use smaller cells there (mesh.size)";
+    if (attempt.end == NewtonEnd::inverted)
+        return {StopReason::inverted_element, "an element inverted (" + det + ") " + location + remedy};
+    if (is_nearly_inverted(attempt))
+        return {StopReason::inverted_element,
+                "an element is nearly inverted (" + det + ") " + location + " at " + here + remedy};
+    const std::string problem = "no equilibrium found beyond " + here;
+    if (attempt.end == NewtonEnd::linear_solver) return {StopReason::diverged, problem + ": " + linear_remedy};
+    return {StopReason::diverged, problem + " (" + std::string(text_of(attempt.end)) + "); the largest distortion is " +
+                                      location + ", " + det + "; try smaller cells there (mesh.size)"};
 }
 
 }  // namespace soft::solver

@@ -17,7 +17,7 @@ constexpr double meets_goal = 5e-3;
 RefinedPath::RefinedPath(fem::System& fine, const mesh::Refined& refined)
     : system_(fine),
       refined_(refined),
-      newton_(fine, fine.input().solver),
+      corrector_(fine),
       origin_(fine.make_vector()),
       direction_(fine.make_vector()),
       pressures_(fine.make_vector()),
@@ -33,7 +33,7 @@ void RefinedPath::set_stage(int stage) {
     stage_ = stage;
     of_last_ = FromTangent::of_another_stage;
     loads_.emplace(input, stage, std::move(start), undeformed_volumes_m3_);
-    newton_.set_loads(*loads_);
+    corrector_.newton().set_loads(*loads_);
 }
 
 State RefinedPath::carry_over(const RowState& coarse) {
@@ -42,72 +42,66 @@ State RefinedPath::carry_over(const RowState& coarse) {
     };
     const auto displacement = carried(coarse.displacement_m);
     SOFT_PETSC(VecZeroEntries(origin_));
-    system_.spread_displacements(displacement, origin_);
+    system_.fields().spread(displacement, origin_);
     SOFT_PETSC(VecZeroEntries(direction_));
-    system_.spread_displacements(carried(coarse.tangent), direction_);
+    system_.fields().spread(carried(coarse.tangent), direction_);
     nearest_ = {};
     if (const double length = linalg::norm(direction_); length > 0.0) {
         SOFT_PETSC(VecScale(direction_, 1.0 / length));
         nearest_ = {ConstraintKind::arc, 0, origin_, direction_, linalg::norm(origin_)};
     }
-    State state{linalg::duplicate(origin_), coarse.step.load_factor, coarse.free_pressures_Pa};
-    linalg::copy(pressures_, state.x);
-    system_.spread_displacements(displacement, state.x);
+    State state{copy_of(pressures_), coarse.step.load_factor, coarse.free_pressures_Pa};
+    system_.fields().spread(displacement, state.x);
     return state;
-}
-
-bool RefinedPath::converges(const Constraint& constraint, double target, State& state) {
-    const NewtonResult result = newton_.correct(constraint, target, state);
-    iterations_ += result.iterations;
-    return result.end == NewtonEnd::converged;
 }
 
 /// Solves for the goal that the coarse path has reached. False if no goal is close enough, or the solution does not converge.
 bool RefinedPath::end_stage(State& state) {
     const auto goals = make_goals(system_.input(), stage_, *loads_, undeformed_volumes_m3_);
     system_.prescribe(loads_->levels(state.load_factor, state.pressures_Pa));
-    const linalg::Vector gradient = system_.make_vector();
     const Goal* met = nullptr;
     double smallest = meets_goal;
     for (const Goal& goal : goals) {
-        const double value = evaluate(goal.constraint, system_, *loads_, state, gradient).value;
+        const double value = corrector_.value(goal.constraint, *loads_, state);
         const double off = std::abs(remaining(goal.constraint, system_.input(), goal.target, value) / goal.target);
         if (!(off < smallest)) continue;
         smallest = off;
         met = &goal;
     }
-    return met != nullptr && converges(nearest_, 0.0, state) && converges(met->constraint, met->target, state);
+    return met != nullptr && corrector_.correct(nearest_, 0.0, state) &&
+           corrector_.correct(met->constraint, met->target, state);
 }
 
 std::optional<State> RefinedPath::equilibrium(const RowState& coarse, RowPosition position) {
     if (position == RowPosition::first) {
         State state = carry_over(coarse);
         SOFT_PETSC(VecZeroEntries(state.x));
-        if (system_.has_initial_stress() && !converges({ConstraintKind::load_factor}, 0.0, state)) return std::nullopt;
+        if (system_.has_initial_stress() && !corrector_.correct({ConstraintKind::load_factor}, 0.0, state))
+            return std::nullopt;
         return state;
     }
     State state = carry_over(coarse);
     if (nearest_.kind != ConstraintKind::arc) {  // a stage in which nothing changes
-        if (converges(nearest_, coarse.step.load_factor, state)) return state;
+        if (corrector_.correct(nearest_, coarse.step.load_factor, state)) return state;
         return std::nullopt;
     }
     if (position == RowPosition::ends_stage) {
         if (end_stage(state)) return state;
         state = carry_over(coarse);
     }
-    if (converges(nearest_, 0.0, state)) return state;
+    if (corrector_.correct(nearest_, 0.0, state)) return state;
     SOFT_PETSC(VecZeroEntries(pressures_));  // retry without the pressures of the row before
     state = carry_over(coarse);
-    if (converges(nearest_, 0.0, state)) return state;
+    if (corrector_.correct(nearest_, 0.0, state)) return state;
     return std::nullopt;
 }
 
 std::optional<RowState> RefinedPath::solve(const RowState& coarse, RowPosition position, Keep keep) {
     set_stage(coarse.step.stage);
-    const int iterations = iterations_, factorizations = newton_.factorizations();
+    const WorkCount before = work();
     auto state = equilibrium(coarse, position);
     if (!state) return std::nullopt;
-    auto tangent = newton_.tangent(nearest_, *state);
+    auto tangent = corrector_.newton().tangent(nearest_, *state);
     if (!tangent) return std::nullopt;
     linalg::copy(state->x, pressures_);
     PathPoint point{std::move(*state), std::move(*tangent)};
@@ -120,8 +114,8 @@ std::optional<RowState> RefinedPath::solve(const RowState& coarse, RowPosition p
     row.step.stage = coarse.step.stage;
     row.step.stable = coarse.step.stable;
     row.step.stable_under_control = coarse.step.stable_under_control;
-    row.step.newton_iterations = iterations_ - iterations;
-    row.step.factorizations = newton_.factorizations() - factorizations;
+    row.step.newton_iterations = work().iterations - before.iterations;
+    row.step.factorizations = work().factorizations - before.factorizations;
     read_rubber(system_, point, 1.0, row.step);
     if (frequencies_ && keep == Keep::fields)  // a mesh that is only compared reports no rows
         row.step.frequencies_Hz = frequencies_->evaluate(point.state.x, point.levels);

@@ -11,8 +11,8 @@
 #include <optional>
 
 #include "mesh/refine.hpp"
+#include "solver/corrector.hpp"
 #include "solver/natural_frequencies.hpp"
-#include "solver/newton.hpp"
 #include "solver/row_state.hpp"
 
 namespace soft::solver {
@@ -29,8 +29,7 @@ public:
     enum class Keep { fields, values };
     [[nodiscard]] std::optional<RowState> solve(const RowState& coarse, RowPosition position, Keep keep);
 
-    [[nodiscard]] int iterations() const noexcept { return iterations_; }
-    [[nodiscard]] int factorizations() const noexcept { return newton_.factorizations(); }
+    [[nodiscard]] WorkCount work() const { return corrector_.work(); }
 
 private:
     void set_stage(int stage);
@@ -38,11 +37,10 @@ private:
     [[nodiscard]] State carry_over(const RowState& coarse);
     [[nodiscard]] std::optional<State> equilibrium(const RowState& coarse, RowPosition position);
     [[nodiscard]] bool end_stage(State& state);
-    [[nodiscard]] bool converges(const Constraint& constraint, double target, State& state);
 
     fem::System& system_;
     const mesh::Refined& refined_;
-    Newton newton_;
+    Corrector corrector_;
     int stage_ = -1;
     std::optional<StageLoads> loads_;
     linalg::Vector origin_, direction_, pressures_;  // pressures_: of the previous row, an initial guess
@@ -51,7 +49,6 @@ private:
     std::optional<PathPoint> last_;
     std::optional<NaturalFrequencies> frequencies_;
     FromTangent of_last_ = FromTangent::along_the_path;
-    int iterations_ = 0;
 };
 
 }  // namespace soft::solver

@@ -44,7 +44,7 @@ std::vector<double> undeformed_volumes_m3(fem::System& system) {
     const linalg::Vector undeformed = system.make_vector();
     std::vector<double> volumes;
     for (std::size_t load = 0; load < system.input().loads.size(); ++load)
-        volumes.push_back(system.load_volume(load, undeformed, nullptr));
+        volumes.push_back(system.volumes().of_load(load, undeformed, nullptr));
     return volumes;
 }
 
@@ -73,21 +73,22 @@ void read_values(fem::System& system, const LoadLevels& levels, const LoadLevels
     point.level_slopes = slopes;
     point.pressures_Pa = levels.pressures_Pa;
     point.pressure_slopes = slopes.pressures_Pa;
-    for (std::size_t cavity = 0; cavity < system.cavity_count(); ++cavity) {
-        point.volumes_m3.push_back(system.enclosed_volume(cavity, point.state.x, gradient, by_motion));
+    for (std::size_t cavity = 0; cavity < system.volumes().count(); ++cavity) {
+        point.volumes_m3.push_back(system.volumes().of_cavity(cavity, point.state.x, gradient, by_motion));
         point.volume_slopes.push_back(slope_along());
     }
     for (std::size_t load = 0, cavity = 0; load < input.loads.size(); ++load) {
         point.load_volumes_m3.push_back(0.0);
         point.load_volume_slopes.push_back(0.0);
-        for (std::size_t n = 0; n < input.loads[load].targets.size() && system.encloses_volume(load); ++n, ++cavity) {
+        for (std::size_t n = 0; n < input.loads[load].targets.size() && system.volumes().has_volume(load);
+             ++n, ++cavity) {
             point.load_volumes_m3.back() += point.volumes_m3[cavity];
             point.load_volume_slopes.back() += point.volume_slopes[cavity];
         }
     }
-    for (std::size_t i = 0; i < system.output_count(); ++i) {
+    for (std::size_t i = 0; i < system.outputs().count(); ++i) {
         fem::LoadLevels by_levels;
-        double value = system.output(i, point.state.x, gradient, &by_levels);
+        double value = system.outputs().value(i, point.state.x, gradient, &by_levels);
         if (model::is_angle(input.outputs[i].measure) && before != nullptr)  // angles continue beyond 180 degrees
             value = before->outputs[i] + std::remainder(value - before->outputs[i], 2.0 * std::numbers::pi);
         point.outputs.push_back(value);
@@ -106,7 +107,7 @@ model::Step step_of(const fem::System& system, const PathPoint& point, double di
     model::Step step;
     step.load_factor = point.state.load_factor;
     step.pressure_Pa = point.leading;
-    if (!input.loads.empty() && system.encloses_volume(0)) {
+    if (!input.loads.empty() && system.volumes().has_volume(0)) {
         step.volume_m3 = point.load_volumes_m3[0];
         step.tangent_volume = direction * point.load_volume_slopes[0];
     }
@@ -114,7 +115,7 @@ model::Step step_of(const fem::System& system, const PathPoint& point, double di
         step.pressures_Pa = point.pressures_Pa;
         step.tangent_pressures = travelling(point.pressure_slopes);
     }
-    if (system.cavity_count() > 1) {
+    if (system.volumes().count() > 1) {
         step.volumes_m3 = point.volumes_m3;
         step.tangent_volumes = travelling(point.volume_slopes);
     }
@@ -126,7 +127,7 @@ model::Step step_of(const fem::System& system, const PathPoint& point, double di
 }
 
 double read_stretches(fem::System& system, Vec x, model::Step& step) {
-    const auto stretch = system.stretches(x);
+    const auto stretch = system.fields().stretches(x);
     step.stretch_p99 = stretch.p99;
     step.max_stretch = stretch.largest;
     step.min_jacobian = stretch.min_jacobian;
@@ -139,7 +140,8 @@ void read_rubber(fem::System& system, const PathPoint& point, double direction, 
     const double stored_J = read_stretches(system, point.state.x, step);
     if (!system.has_symmetric_tangent()) return;
     const double whole = 1.0 / system.input().model_fraction;
-    const double power = system.load_power(point.state.x, point.tangent.x, point.levels, point.level_slopes);
+    const double power =
+        system.assembler().load_power(point.state.x, point.tangent.x, point.levels, point.level_slopes);
     step.energies = {whole * stored_J, whole * point.load_work_J, whole * direction * power};
 }
 
@@ -174,21 +176,21 @@ double work_between(fem::System& system, const PathPoint& from, const PathPoint&
     LoadLevels levels = fem::moved(from.levels, 0.5, turn), rate = fem::moved(fem::no_loads(system.input()), 1.5, turn);
     levels = fem::moved(fem::moved(levels, 0.125, start_rate), -0.125, end_rate);
     rate = fem::moved(fem::moved(rate, -0.25, start_rate), -0.25, end_rate);
-    const double at_start = system.load_power(from.state.x, start, from.levels, start_rate);
-    const double at_end = system.load_power(to.state.x, end, to.levels, end_rate);
+    const double at_start = system.assembler().load_power(from.state.x, start, from.levels, start_rate);
+    const double at_end = system.assembler().load_power(to.state.x, end, to.levels, end_rate);
     SOFT_PETSC(VecScale(change, 1.5));  // now the velocity in the middle
     linalg::add(change, -0.25, start);
     linalg::add(change, -0.25, end);
-    const double in_middle = system.load_power(middle, change, levels, rate);
+    const double in_middle = system.assembler().load_power(middle, change, levels, rate);
     system.prescribe(to.levels);
     // At the middle of a step that is far too long the forces may overflow.
     return std::isfinite(in_middle) ? (at_start + 4.0 * in_middle + at_end) / 6.0 : 0.5 * (at_start + at_end);
 }
 
 RowState row_state(fem::System& system, const PathPoint& point, double direction, model::Step step) {
-    auto fields = system.gather_fields(point.state.x);
+    auto fields = system.fields().gather(point.state.x);
     RowState row{std::move(step), std::move(fields.displacement_m),
-                 system.gather_fields(point.tangent.x).displacement_m, std::move(fields.pressure_Pa),
+                 system.fields().gather(point.tangent.x).displacement_m, std::move(fields.pressure_Pa),
                  point.state.pressures_Pa};
     for (double& component : row.tangent) component *= direction;
     return row;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "fem/element_levels.hpp"
+#include "mesh/mesh.hpp"
 
 namespace soft::solver {
 
@@ -14,23 +15,9 @@ constexpr int inversion_halvings = 4;
 /// Relative to the body's extent: for cells down to a hundredth of it, the squares of the strains are below rounding.
 constexpr double linear_share = 1e-11;
 /// Times the measured rounding error, which differs from state to state.
-constexpr double rounding_margin = 10.0;
+constexpr double second_difference_margin = 10.0;
 /// Fraction of the largest force scale of the motion so far: a body in free flight has no forces.
-constexpr double vanishing_forces = 1e-3;
-
-double extent_m(const mesh::Mesh& mesh) {
-    mesh::Point low = mesh.point(0), high = low;
-    for (const auto& point : mesh.points)
-        for (std::size_t i = 0; i < 3; ++i) {
-            low[i] = std::min(low[i], point[i]);
-            high[i] = std::max(high[i], point[i]);
-        }
-    return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
-}
-
-linalg::Symmetry symmetry_of(const fem::System& system) {
-    return system.has_symmetric_tangent() ? linalg::Symmetry::symmetric : linalg::Symmetry::general;
-}
+constexpr double free_flight_forces = 1e-3;
 
 /// J is assembled with mass and damping: the Jacobian-free method becomes a Krylov method with this matrix.
 model::LinearSettings with_a_matrix(model::LinearSettings settings) {
@@ -123,7 +110,7 @@ double StageSolver::force_scale(const fem::Evaluation& evaluation, Vec inertia) 
     const double scale =
         std::max({evaluation.force_scale, linalg::norm(equations_.load_force()), linalg::norm(inertia)});
     max_scale_ = std::max(max_scale_, scale);
-    return std::max(scale, vanishing_forces * max_scale_);
+    return std::max(scale, free_flight_forces * max_scale_);
 }
 
 bool StageSolver::is_rounding(double residual_N, Vec x, const fem::LoadLevels& levels) {
@@ -131,7 +118,7 @@ bool StageSolver::is_rounding(double residual_N, Vec x, const fem::LoadLevels& l
         probe_ = equations_.system().make_vector();
         fill_with_waves(probe_);
         SOFT_PETSC(VecPointwiseMult(probe_, equations_.mask(), probe_));
-        SOFT_PETSC(VecScale(probe_, linear_share * extent_m(equations_.system().input().mesh)));
+        SOFT_PETSC(VecScale(probe_, linear_share * mesh::extent_m(equations_.system().input().mesh)));
     }
     linalg::Vector moved = linalg::duplicate(x), difference = linalg::duplicate(x);
     SOFT_PETSC(VecZeroEntries(difference));
@@ -140,7 +127,7 @@ bool StageSolver::is_rounding(double residual_N, Vec x, const fem::LoadLevels& l
         if (!equations_.evaluate(moved, levels, nullptr).admissible()) return false;
         linalg::add(difference, weight, equations_.residual());
     }
-    return residual_N <= rounding_margin * linalg::norm(difference);
+    return residual_N <= second_difference_margin * linalg::norm(difference);
 }
 
 /// Computes r_ = M a + C v + R at the state last evaluated; returns its norm over the force scale.
@@ -155,7 +142,7 @@ double StageSolver::balance(const MotionState& state, const fem::Evaluation& eva
 }
 
 fem::Evaluation StageSolver::evaluate(const MotionState& state, std::span<const double> pressures, Mat K,
-                                      StageResult& result) {
+                                      NewtonResult& result) {
     const auto evaluation = equations_.evaluate(state.x, equations_.levels(state.time_s, pressures), K);
     result.min_jacobian = evaluation.min_jacobian;
     result.worst_cell = evaluation.worst_cell;
@@ -164,7 +151,7 @@ fem::Evaluation StageSolver::evaluate(const MotionState& state, std::span<const 
 
 /// Newton's correction of the state, halved while an element is inverted.
 NewtonEnd StageSolver::correct(const StageMap& map, std::span<const LineRow> rows, MotionState& state,
-                               std::vector<double>& pressures, StageResult& result) {
+                               std::vector<double>& pressures, NewtonResult& result) {
     if (!factor_is_of_stage_ || settings_.newton == model::NewtonMethod::full) {
         (void)evaluate(state, pressures, J_, result);
         if (!factorize_here(map.by_velocity, map.by_acceleration)) return NewtonEnd::singular;
@@ -183,8 +170,8 @@ NewtonEnd StageSolver::correct(const StageMap& map, std::span<const LineRow> row
     }
 }
 
-StageResult StageSolver::solve(const StageMap& map, Vec fallback, MotionState& state) {
-    StageResult result;
+NewtonResult StageSolver::solve(const StageMap& map, Vec fallback, MotionState& state) {
+    NewtonResult result;
     const auto report = [&](NewtonEnd end) {
         result.end = end;
         return result;

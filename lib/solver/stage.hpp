@@ -28,14 +28,6 @@ struct LineRow {
     double by_pressure = 1, by_volume = 0, rhs = 0;
 };
 
-struct StageResult {
-    NewtonEnd end = NewtonEnd::converged;
-    int iterations = 0;
-    double residual = 0;  ///< over the scale of forces
-    double min_jacobian = 1;
-    mesh::Index worst_cell = -1;
-};
-
 /// Whether a residual no longer falls from the previous iteration to this one.
 [[nodiscard]] inline bool stalls(double residual, double before) { return residual > 0.3 * before; }
 
@@ -45,7 +37,7 @@ public:
 
     /// `state`: an initial guess of x with the corresponding v and a, and the time of the stage; on return the solution with its
     /// masses and load force. If an element is inverted in the guess, the state is moved to `fallback` first.
-    [[nodiscard]] StageResult solve(const StageMap& map, Vec fallback, MotionState& state);
+    [[nodiscard]] NewtonResult solve(const StageMap& map, Vec fallback, MotionState& state);
 
     // For PETSc's TS, which has its own Newton loop.
     /// Tangent and line forces at x; false where an element is inverted or J is singular.
@@ -69,10 +61,10 @@ private:
     [[nodiscard]] std::vector<LineRow> line_rows(const StageMap& map, const MotionState& state,
                                                  std::span<const double> pressures);
     [[nodiscard]] fem::Evaluation evaluate(const MotionState& state, std::span<const double> pressures, Mat K,
-                                           StageResult& result);
+                                           NewtonResult& result);
     [[nodiscard]] double balance(const MotionState& state, const fem::Evaluation& evaluation);
     [[nodiscard]] NewtonEnd correct(const StageMap& map, std::span<const LineRow> rows, MotionState& state,
-                                    std::vector<double>& pressures, StageResult& result);
+                                    std::vector<double>& pressures, NewtonResult& result);
     void move(const StageMap& map, double length, Vec dx, MotionState& state);
     [[nodiscard]] bool factorize_here(double by_velocity, double by_acceleration);
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/cavity_surface.hpp"
+#include "mesh/mesh.hpp"
 
 namespace soft::surface {
 
@@ -16,7 +16,7 @@ std::array<bool, 3> mirrors(const model::Case& model) {
 
 std::vector<mesh::Facet> free_facets(const model::Case& model) {
     const std::array<bool, 3> planes = mirrors(model);
-    const double tolerance_m = model::plane_tolerance * model::extent_m(model.mesh);
+    const double tolerance_m = mesh::plane_tolerance * mesh::extent_m(model.mesh);
     std::vector<mesh::Facet> facets = mesh::boundary_facets(model.mesh);
     std::erase_if(facets, [&](const mesh::Facet& facet) {
         const std::vector<mesh::Index> nodes = mesh::facet_nodes(model.mesh, facet);

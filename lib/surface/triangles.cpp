@@ -43,7 +43,7 @@ constexpr int sectors = 4;
 
 void revolve(const model::Case& model, const std::vector<mesh::Facet>& facets, Triangles& surface) {
     const double angle = 2 * std::numbers::pi / sectors, enlarged = std::sqrt(angle / std::sin(angle));
-    const double tolerance_m = model::plane_tolerance * model::extent_m(model.mesh);
+    const double tolerance_m = mesh::plane_tolerance * mesh::extent_m(model.mesh);
 
     std::map<Index, std::vector<int>> circles;
     const auto circle = [&](Index node) -> const std::vector<int>& {
@@ -201,7 +201,7 @@ Triangles cavity_surface(const model::Case& model, const model::Cavity& cavity) 
         surface = facet_triangles(model.mesh, facets);
         reverse_orientation(surface);
     }
-    const double tolerance_m = model::plane_tolerance * model::extent_m(model.mesh);
+    const double tolerance_m = mesh::plane_tolerance * mesh::extent_m(model.mesh);
     for (std::size_t d = 0; d < (is_section ? 1u : 3u); ++d)
         if (model.symmetry_planes[d]) mirror(surface, d, tolerance_m);
 
@@ -221,7 +221,7 @@ Triangles cavity_surface(const model::Case& model, const model::Cavity& cavity) 
 Triangles facet_triangles(const mesh::Mesh& mesh, const std::vector<mesh::Facet>& facets) {
     Triangles surface;
     UsedPoints used(mesh, surface);
-    const double half_width_m = model::extent_m(mesh);  // any width is sufficient: rays stay at z = 0
+    const double half_width_m = mesh::extent_m(mesh);  // any width is sufficient: rays stay at z = 0
     for (std::size_t f = 0; f < facets.size(); ++f) {
         const std::vector<Index> nodes = facet_nodes(mesh, facets[f]);
         const int number = static_cast<int>(f);

@@ -4,7 +4,7 @@
 ///     plane strain   V = -1/2 int x.n ds per unit depth; the wall must be closed
 ///     solid          V = -1/3 int x.n da + caps; n out of the rubber, so into the cavity
 /// In a solid each rim (free edges of the facet set that do not lie on a symmetry plane) is closed by a cone with its
-/// apex c at the mean of the rim's nodes, projected onto the symmetry planes: cap = 1/6 int c.(y x dy), exact for a flat
+/// apex c at the mean of the rim's nodes, on the symmetry planes that cut it: cap = 1/6 int c.(y x dy), exact for a flat
 /// opening of any outline. The sum is divided by the model fraction and gives the volume of the whole actuator.
 /// Source: divergence theorem. Tested by surface/volume_test.
 #include <span>

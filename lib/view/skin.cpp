@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "model/cavity_surface.hpp"
+#include "mesh/mesh.hpp"
 #include "view/creases.hpp"
 #include "view/patch.hpp"
 
@@ -40,7 +40,7 @@ public:
         : model_(model),
           region_points_(region_points),
           options_(options),
-          tolerance_m_(model::plane_tolerance * model::extent_m(model.mesh)) {
+          tolerance_m_(mesh::plane_tolerance * mesh::extent_m(model.mesh)) {
         skin_.first_source.push_back(0);
         make_placements();
     }

@@ -18,16 +18,15 @@ struct VectorOf {
 
 template <int Width>
 [[nodiscard]] inline double multiply_adds(long rounds) {
-    using Vector = typename VectorOf<Width>::Type;
-    const Vector factor = Vector{} + 0.999999,
-                 term = Vector{} + 1e-6;  // converges to 1: neither overflow nor denormals
-    Vector chain[chain_count];
-    for (int c = 0; c < chain_count; ++c) chain[c] = Vector{} + 1.0 + 0.01 * c;
+    using Lanes = typename VectorOf<Width>::Type;
+    const Lanes factor = Lanes{} + 0.999999, term = Lanes{} + 1e-6;  // converges to 1: neither overflow nor denormals
+    Lanes chain[chain_count];
+    for (int c = 0; c < chain_count; ++c) chain[c] = Lanes{} + 1.0 + 0.01 * c;
     for (long round = 0; round < rounds; ++round)
 #pragma GCC unroll 10
         for (int c = 0; c < chain_count; ++c) chain[c] = chain[c] * factor + term;
     double sum = 0;
-    for (const Vector& value : chain)
+    for (const Lanes& value : chain)
         for (int lane = 0; lane < Width; ++lane) sum += value[lane];
     return sum;
 }

@@ -5,7 +5,7 @@
 #include <map>
 #include <numbers>
 
-#include "model/cavity_surface.hpp"
+#include "mesh/mesh.hpp"
 #include "surface/free_facets.hpp"
 
 namespace soft::campaign {
@@ -49,7 +49,7 @@ double angle(const Side& side, const Vector3& other) {
 
 Creases::Creases(const model::Case& model, const std::vector<mesh::Facet>& skin) : model_(model), skin_(skin) {
     const auto mirrors = surface::mirrors(model);
-    const double near_m = model::plane_tolerance * model::extent_m(model.mesh);
+    const double near_m = mesh::plane_tolerance * mesh::extent_m(model.mesh);
     std::map<std::array<Index, 2>, std::vector<EdgeSide>> meeting;
     for (std::size_t f = 0; f < skin.size(); ++f) {
         const mesh::CellTopology& type = mesh::topology(mesh::facet_type(model.mesh, skin[f]));

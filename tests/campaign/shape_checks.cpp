@@ -6,8 +6,8 @@
 #include <map>
 
 #include "mesh/cell_map.hpp"
+#include "mesh/mesh.hpp"
 #include "mesh/shape.hpp"
-#include "model/cavity_surface.hpp"
 #include "surface/cgal_queries.hpp"
 #include "surface/facet_map.hpp"
 #include "surface/free_facets.hpp"
@@ -120,10 +120,7 @@ double determinant(const std::array<Point, 3>& g, int dimension) {
 }  // namespace
 
 ShapeChecks::ShapeChecks(const model::Case& model)
-    : model_(model),
-      skin_(surface::free_facets(model)),
-      creases_(model, skin_),
-      extent_m_(model::extent_m(model.mesh)) {
+    : model_(model), skin_(surface::free_facets(model)), creases_(model, skin_), extent_m_(mesh::extent_m(model.mesh)) {
     initial_pairs_ = intersecting_pairs(model.mesh);
 }
 

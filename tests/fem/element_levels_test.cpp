@@ -26,8 +26,7 @@ linalg::Vector values_of(const System& system, Vec layout, const std::vector<Pet
                 value[dof] = field(system.input().mesh.points[node], i);
     for (std::size_t k = 0; k < wanted.size(); ++k)
         SOFT_PETSC(VecSetValue(some, static_cast<PetscInt>(k), value[wanted[k]], INSERT_VALUES));
-    SOFT_PETSC(VecAssemblyBegin(some));
-    SOFT_PETSC(VecAssemblyEnd(some));
+    linalg::assemble(some);
     return some;
 }
 

@@ -52,11 +52,11 @@ TEST(Motion, FieldsAndOutputsIncludeMovedNodes) {
     System system(input, PETSC_COMM_WORLD);
     const auto x = system.make_vector();
     system.prescribe(levels_of(0.0, 0.5));
-    EXPECT_NEAR(system.output(0, x, nullptr), 1e-3, 1e-15);  // all of the end, half way
+    EXPECT_NEAR(system.outputs().value(0, x, nullptr), 1e-3, 1e-15);  // all of the end, half way
     LoadLevels by_levels;
-    (void)system.output(0, x, nullptr, &by_levels);
+    (void)system.outputs().value(0, x, nullptr, &by_levels);
     EXPECT_NEAR(by_levels.motions[0], 2e-3, 1e-15);
-    const auto fields = system.gather_fields(x);
+    const auto fields = system.fields().gather(x);
     for (std::size_t node = 0; node < input.mesh.points.size(); ++node)
         EXPECT_NEAR(fields.displacement_m[3 * node + 1], input.mesh.points[node][0] > 0.0099 ? 2.5e-4 : 0.0, 1e-15);
 }
@@ -124,8 +124,7 @@ linalg::Vector turned(const System& system, const std::array<double, 3>& axis, d
                 SOFT_PETSC(
                     VecSetValue(x, dof, c * X[i] + s * across[i] + (1 - c) * along * axis[i] - X[i], INSERT_VALUES));
     }
-    SOFT_PETSC(VecAssemblyBegin(x));
-    SOFT_PETSC(VecAssemblyEnd(x));
+    linalg::assemble(x);
     return x;
 }
 
@@ -142,8 +141,9 @@ TEST(Rotation, ARigidRotationHasItsAngleAsTwistAndNoBend) {
     System system(input, PETSC_COMM_WORLD);
     for (const double angle : {-2.5, -0.3, 0.0, 0.7, 3.0}) {
         const auto x = turned(system, {1, 0, 0}, angle);
-        EXPECT_NEAR(system.output(0, x, nullptr), angle, 1e-12);
-        EXPECT_NEAR(system.output(1, turned(system, {0, 1, 0}, angle), nullptr), 0.0, 1e-12);  // both faces turn
+        EXPECT_NEAR(system.outputs().value(0, x, nullptr), angle, 1e-12);
+        EXPECT_NEAR(system.outputs().value(1, turned(system, {0, 1, 0}, angle), nullptr), 0.0,
+                    1e-12);  // both faces turn
     }
 }
 
@@ -160,9 +160,8 @@ TEST(Rotation, BendIsTheAngleBetweenTheFaces) {
         for (std::size_t i = 0; i < 3; ++i)
             SOFT_PETSC(VecSetValue(x, system.dofs().displacement[3 * node + i], bent[i] - X[i], INSERT_VALUES));
     }
-    SOFT_PETSC(VecAssemblyBegin(x));
-    SOFT_PETSC(VecAssemblyEnd(x));
-    EXPECT_NEAR(system.output(1, x, nullptr), angle, 1e-12);
+    linalg::assemble(x);
+    EXPECT_NEAR(system.outputs().value(1, x, nullptr), angle, 1e-12);
 }
 
 /// A quarter of a ring in plane strain, without supports.
@@ -189,8 +188,7 @@ linalg::Vector opened(const System& system, double share, double turn) {
             SOFT_PETSC(
                 VecSetValue(x, system.dofs().displacement[2 * node + i], there[i] - points[node][i], INSERT_VALUES));
     }
-    SOFT_PETSC(VecAssemblyBegin(x));
-    SOFT_PETSC(VecAssemblyEnd(x));
+    linalg::assemble(x);
     return x;
 }
 
@@ -200,10 +198,11 @@ TEST(Rotation, FacesInPlaneStrainRotateAboutZ) {
     constexpr double right_angle = std::numbers::pi / 2;
     for (const double turn : {-2.5, -0.3, 0.0, 1.1}) {
         const auto x = opened(system, 1.0, turn);
-        EXPECT_NEAR(system.output(0, x, nullptr), turn, 1e-12);
-        EXPECT_NEAR(system.output(1, x, nullptr), 0.0, 1e-12);
+        EXPECT_NEAR(system.outputs().value(0, x, nullptr), turn, 1e-12);
+        EXPECT_NEAR(system.outputs().value(1, x, nullptr), 0.0, 1e-12);
         for (const double share : {0.3, 0.8, 1.4})  // the face on the x axis against that on the y axis
-            EXPECT_NEAR(system.output(1, opened(system, share, turn), nullptr), (1.0 - share) * right_angle, 1e-12);
+            EXPECT_NEAR(system.outputs().value(1, opened(system, share, turn), nullptr), (1.0 - share) * right_angle,
+                        1e-12);
     }
 }
 
@@ -213,11 +212,11 @@ TEST(Rotation, GradientIsTheDerivative) {
         const auto x = wavy(system, 5e-4, 0.3), d = wavy(system, 5e-4, 1.1);
         auto gradient = system.make_vector(), there = system.make_vector();
         for (const std::size_t output : {0, 1}) {
-            const double value = system.output(output, x, gradient), slope = linalg::dot(gradient, d);
+            const double value = system.outputs().value(output, x, gradient), slope = linalg::dot(gradient, d);
             const auto remainder = [&](double h) {
                 linalg::copy(x, there);
                 linalg::add(there, h, d);
-                return std::abs(system.output(output, there, nullptr) - value - h * slope);
+                return std::abs(system.outputs().value(output, there, nullptr) - value - h * slope);
             };
             EXPECT_NEAR(remainder(0.2) / remainder(0.1), 4.0, 0.3);
         }

@@ -170,8 +170,7 @@ inline linalg::Vector force(const fem::System& system, const material::AnyRubber
                                        point.volume * point.N[a] * B[i],
                                        ADD_VALUES));  // fixed components have index -1, which PETSc ignores
     });
-    SOFT_PETSC(VecAssemblyBegin(f));
-    SOFT_PETSC(VecAssemblyEnd(f));
+    linalg::assemble(f);
     return f;
 }
 

@@ -50,8 +50,7 @@ linalg::Vector translation(const System& system, double velocity) {
         if (const auto dof = map.displacement[node * static_cast<std::size_t>(map.dimension)];
             dof >= map.begin && dof < map.end)
             SOFT_PETSC(VecSetValue(v, dof, velocity, INSERT_VALUES));
-    SOFT_PETSC(VecAssemblyBegin(v));
-    SOFT_PETSC(VecAssemblyEnd(v));
+    linalg::assemble(v);
     return v;
 }
 
@@ -100,8 +99,7 @@ TEST(Mass, TheConsistentMatrixIntegratesSquaresOfQuadraticFields) {
     for (std::size_t node = 0; node < input.mesh.points.size(); ++node)
         if (const auto dof = map.displacement[2 * node]; dof >= map.begin && dof < map.end)
             SOFT_PETSC(VecSetValue(v, dof, input.mesh.points[node][0] * input.mesh.points[node][0], INSERT_VALUES));
-    SOFT_PETSC(VecAssemblyBegin(v));
-    SOFT_PETSC(VecAssemblyEnd(v));
+    linalg::assemble(v);
     SOFT_PETSC(MatMult(consistent_mass(system), v, momentum));
     EXPECT_NEAR(linalg::dot(momentum, v) / (density / 5.0), 1.0, 1e-12);
 }

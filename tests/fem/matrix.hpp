@@ -9,6 +9,7 @@
 #include "../material/samples.hpp"
 #include "distorted_cell.hpp"
 #include "fem/solid_kernel.hpp"
+#include "model/formulation.hpp"
 
 namespace soft::fem {
 
@@ -42,7 +43,7 @@ inline std::vector<Combination> every_combination() {
 /// The supported combinations.
 inline std::vector<Combination> all_combinations() {
     auto list = every_combination();
-    std::erase_if(list, [](const Combination& c) { return !explain_incompatibility(c.type, c.form).empty(); });
+    std::erase_if(list, [](const Combination& c) { return !model::explain_incompatibility(c.type, c.form).empty(); });
     return list;
 }
 

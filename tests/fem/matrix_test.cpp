@@ -118,7 +118,7 @@ TEST(LawElementMatrix, CellsAreRefusedInUnsupportedForms) {
     for (const auto& c : every_combination()) {
         const auto& cell = mesh::topology(c.type);
         const bool has_mean_dilatation = c.type == mesh::CellType::quad4 || c.type == mesh::CellType::hex8;
-        const std::string reason = explain_incompatibility(c.type, c.form);
+        const std::string reason = model::explain_incompatibility(c.type, c.form);
         if (c.form == Form::mixed && cell.order == 1)
             EXPECT_TRUE(contains(reason, "have no stable pressure space; use mesh.order 2"))
                 << label(c) << ": " << reason;

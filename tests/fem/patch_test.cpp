@@ -86,8 +86,7 @@ linalg::Vector start(const System& system, const Patch& p, const std::vector<Pet
             const double away = inside ? 0.004 * std::sin(1.0 + 3.1 * static_cast<double>(dof)) : 0.0;
             SOFT_PETSC(VecSetValue(x, dof, affine(p, mesh.points[node], i) + away, INSERT_VALUES));
         }
-    SOFT_PETSC(VecAssemblyBegin(x));
-    SOFT_PETSC(VecAssemblyEnd(x));
+    linalg::assemble(x);
     return x;
 }
 
@@ -101,8 +100,7 @@ void solve_inside(System& system, const std::vector<PetscInt>& fixed, Vec x) {
         SOFT_PETSC(MatZeroRowsColumns(K, count, fixed.data(), 1.0, nullptr, nullptr));
         const std::vector<double> zeros(fixed.size(), 0.0);
         SOFT_PETSC(VecSetValues(R, count, fixed.data(), zeros.data(), INSERT_VALUES));
-        SOFT_PETSC(VecAssemblyBegin(R));
-        SOFT_PETSC(VecAssemblyEnd(R));
+        linalg::assemble(R);
         linalg::LinearSolver solver(K, linalg::Symmetry::general);
         ASSERT_TRUE(solver.factorize().succeeded);
         ASSERT_TRUE(solver.solve(R, step).converged);
@@ -118,7 +116,7 @@ TEST(Patch, AnAffineBoundaryGivesTheAffineFieldInside) {
         ASSERT_LT(fixed.size(), static_cast<std::size_t>(system.dofs().total)) << label(p);
         auto x = start(system, p, fixed);
         solve_inside(system, fixed, x);
-        const auto fields = system.gather_fields(x);
+        const auto fields = system.fields().gather(x);
         for (std::size_t node = 0; node < input.mesh.points.size(); ++node)
             for (int i = 0; i < input.mesh.dimension; ++i)
                 EXPECT_NEAR(fields.displacement_m[3 * node + i], affine(p, input.mesh.points[node], i), 1e-12)

@@ -42,13 +42,13 @@ TEST(Reaction, DerivativesByStateAndLoadsAreExact) {
     for (std::size_t output = 0; output < input.outputs.size(); ++output) {
         LoadLevels by_levels;
         system.prescribe(levels);
-        const double value = system.output(output, x, gradient, &by_levels);
+        const double value = system.outputs().value(output, x, gradient, &by_levels);
         const double slope = linalg::dot(gradient, d) + product(by_levels, direction);
         const auto remainder = [&](double h) {
             linalg::copy(x, there);
             linalg::add(there, h, d);
             system.prescribe(moved(levels, h, direction));
-            return std::abs(system.output(output, there, nullptr) - value - h * slope);
+            return std::abs(system.outputs().value(output, there, nullptr) - value - h * slope);
         };
         EXPECT_NEAR(remainder(0.05) / remainder(0.025), 4.0, 0.3) << input.outputs[output].name;
     }
@@ -63,7 +63,7 @@ Vector3 total_force(model::Case input, const LoadLevels& at, const std::vector<d
     loads.motions.clear();
     System free(input, PETSC_COMM_WORLD);
     auto x = free.make_vector(), R = free.make_vector();
-    free.spread_displacements(displacement_m, x);
+    free.fields().spread(displacement_m, x);
     free.evaluate(x, loads, R, nullptr);
     Vector3 sum{};
     const PetscScalar* values = nullptr;
@@ -105,7 +105,7 @@ TEST(Reaction, OfAllNodesIsTheResultantOfTheLoadsInAnyState) {
             if (const auto dof = system.dofs().displacement[3 * node + i]; dof >= 0) inner[i] -= values[dof];
     SOFT_PETSC(VecRestoreArrayRead(R, &values));
     for (std::size_t i = 0; i < 3; ++i)
-        EXPECT_NEAR(system.output(i, x, nullptr) + inner[i], total[i], 1e-12 * std::abs(total[i]));
+        EXPECT_NEAR(system.outputs().value(i, x, nullptr) + inner[i], total[i], 1e-12 * std::abs(total[i]));
 }
 
 // Half of the block, mirrored at y = 0, gives the whole face and the whole force.
@@ -143,9 +143,9 @@ TEST(Reaction, ExcludesThatOfNeighbouringFaces) {
         System system(input, PETSC_COMM_WORLD);
         const auto x = wavy(system, 4e-5, 0.3);
         system.prescribe({{3e4}, {}, {}, {}});
-        EXPECT_EQ(system.output(0, x, nullptr), 0.0);
-        EXPECT_GT(std::abs(system.output(1, x, nullptr)), 1e-3);  // that of the bottom itself
-        EXPECT_EQ(system.output(2, x, nullptr), 0.0);
+        EXPECT_EQ(system.outputs().value(0, x, nullptr), 0.0);
+        EXPECT_GT(std::abs(system.outputs().value(1, x, nullptr)), 1e-3);  // that of the bottom itself
+        EXPECT_EQ(system.outputs().value(2, x, nullptr), 0.0);
     }
 }
 
@@ -165,8 +165,9 @@ TEST(Reaction, OfFacesWithACommonEdgeSumToThatOfTheirUnion) {
     LoadLevels at = levels;
     at.motions.clear();
     system.prescribe(at);
-    const double sum = system.output(2, x, nullptr);
-    EXPECT_NEAR(system.output(0, x, nullptr) + system.output(1, x, nullptr), sum, 1e-12 * std::abs(sum));
+    const double sum = system.outputs().value(2, x, nullptr);
+    EXPECT_NEAR(system.outputs().value(0, x, nullptr) + system.outputs().value(1, x, nullptr), sum,
+                1e-12 * std::abs(sum));
 }
 
 TEST(Reaction, RejectsADynamicCase) {

@@ -10,8 +10,7 @@ inline linalg::Vector wavy(const System& system, double size, double phase) {
     auto x = system.make_vector();
     for (PetscInt i = system.dofs().begin; i < system.dofs().end; ++i)
         SOFT_PETSC(VecSetValue(x, i, size * std::sin(phase + 0.37 * static_cast<double>(i)), INSERT_VALUES));
-    SOFT_PETSC(VecAssemblyBegin(x));
-    SOFT_PETSC(VecAssemblyEnd(x));
+    linalg::assemble(x);
     return x;
 }
 

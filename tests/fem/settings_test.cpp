@@ -86,7 +86,7 @@ TEST(UndeformedShape, ForceActsOnTheUndeformedAreaInEveryState) {
     system.evaluate(x, levels, with, nullptr);
     linalg::add(with, -1.0, without);  // -(force of the load)
     // Only along x; the total is the pressure times the undeformed area.
-    const auto mean = system.output(0, with, nullptr);  // weights of the face's mean
+    const auto mean = system.outputs().value(0, with, nullptr);  // weights of the face's mean
     EXPECT_LT(mean, 0.0);
     double total = 0;
     SOFT_PETSC(VecSum(with, &total));

@@ -98,7 +98,7 @@ TEST(System, ClosedCavityLoadIsThePressureTimesTheVolumeGradient) {
     const auto x = wavy(system, 2e-5, 0.3);
     auto R = system.make_vector(), load = system.make_vector(), gradient = system.make_vector();
     evaluate_at(system, x, 0.0, R, load);
-    (void)system.enclosed_volume(0, x, gradient);
+    (void)system.volumes().of_cavity(0, x, gradient);
     // The load acts on the modelled half; the volume is the whole actuator's.
     linalg::add(load, -0.3 * sample_mu_Pa * input.model_fraction, gradient);
     EXPECT_NEAR(linalg::norm(load), 0.0, 1e-12 * sample_mu_Pa * linalg::norm(gradient));
@@ -109,12 +109,12 @@ TEST(System, VolumeGradientIsTheDerivativeOfTheVolumeWithRims) {
         System system(input, PETSC_COMM_WORLD);
         const auto x = wavy(system, 2e-4, 0.3), d = wavy(system, 2e-4, 1.1);
         auto gradient = system.make_vector(), there = linalg::duplicate(x);
-        const double V = system.enclosed_volume(0, x, gradient);
+        const double V = system.volumes().of_cavity(0, x, gradient);
         const double slope = linalg::dot(gradient, d);
         const auto remainder = [&](double h) {
             linalg::copy(x, there);
             linalg::add(there, h, d);
-            return std::abs(system.enclosed_volume(0, there, nullptr) - V - h * slope);
+            return std::abs(system.volumes().of_cavity(0, there, nullptr) - V - h * slope);
         };
         EXPECT_NEAR(remainder(0.2) / remainder(0.1), 4.0, 0.2);
     }
@@ -125,7 +125,7 @@ TEST(System, EnclosedVolumeOfTheHalfSphereModelIsThatOfTheWholeSphere) {
     System system(input, PETSC_COMM_WORLD);
     const auto x = system.make_vector();
     const double exact = 4.0 / 3.0 * std::numbers::pi * 1e-6;  // second-order arcs: error O(h^4)
-    EXPECT_NEAR(system.enclosed_volume(0, x, nullptr) / exact, 1.0, 1e-6);
+    EXPECT_NEAR(system.volumes().of_cavity(0, x, nullptr) / exact, 1.0, 1e-6);
 }
 
 // A flat wall of the box, y = 10 mm, closed by a cap in its own plane: the volume between the wall and the cap is zero,
@@ -134,7 +134,7 @@ TEST(System, AFlatWallWithItsCapEnclosesNoVolume) {
     auto input = open_box();
     System system(input, PETSC_COMM_WORLD);
     const auto x = system.make_vector();
-    EXPECT_NEAR(system.enclosed_volume(0, x, nullptr), 0.0, 1e-20);
+    EXPECT_NEAR(system.volumes().of_cavity(0, x, nullptr), 0.0, 1e-20);
 }
 
 TEST(System, OutputIsTheAreaMeanOfTheFacesDisplacement) {
@@ -147,9 +147,8 @@ TEST(System, OutputIsTheAreaMeanOfTheFacesDisplacement) {
             const auto& X = input.mesh.points[node];
             SOFT_PETSC(VecSetValue(x, dof, 0.1 * X[0] + 0.5 * X[1] * X[1] / 0.01, INSERT_VALUES));
         }
-    SOFT_PETSC(VecAssemblyBegin(x));
-    SOFT_PETSC(VecAssemblyEnd(x));
-    EXPECT_NEAR(system.output(0, x, nullptr), 0.001 + 0.5 * 0.01 / 3.0, 1e-15);
+    linalg::assemble(x);
+    EXPECT_NEAR(system.outputs().value(0, x, nullptr), 0.001 + 0.5 * 0.01 / 3.0, 1e-15);
 }
 
 TEST(System, ReportsTheInvertedCellAndItsJacobian) {
@@ -161,8 +160,7 @@ TEST(System, ReportsTheInvertedCellAndItsJacobian) {
     for (const auto node : nodes)
         if (input.mesh.point(node)[0] > 0.0099)
             SOFT_PETSC(VecSetValue(x, system.dofs().displacement[3 * node], -0.02, INSERT_VALUES));
-    SOFT_PETSC(VecAssemblyBegin(x));
-    SOFT_PETSC(VecAssemblyEnd(x));
+    linalg::assemble(x);
     const auto evaluation = system.evaluate(x, no_loads(input), R, nullptr);
     EXPECT_FALSE(evaluation.admissible());
     EXPECT_LT(evaluation.min_jacobian, 0.0);
@@ -181,14 +179,13 @@ TEST(System, StretchSummaryIsExactForAHomogeneousState) {
             if (const auto dof = system.dofs().displacement[3 * node + i]; dof >= 0)
                 SOFT_PETSC(
                     VecSetValue(x, dof, ((i == 0 ? l : across) - 1.0) * input.mesh.points[node][i], INSERT_VALUES));
-    SOFT_PETSC(VecAssemblyBegin(x));
-    SOFT_PETSC(VecAssemblyEnd(x));
-    const auto summary = system.stretches(x);
+    linalg::assemble(x);
+    const auto summary = system.fields().stretches(x);
     EXPECT_NEAR(summary.p99, l, 1e-12);
     EXPECT_NEAR(summary.largest, l, 1e-12);
     EXPECT_NEAR(summary.min_jacobian, 1.0, 1e-12);
     const double energy = 0.5 * sample_mu_Pa * (l * l + 2.0 / l - 3.0) * 1e-6;  // neo-Hookean, box of 1 cm^3
-    EXPECT_NEAR(system.stored_energy(x), energy, 1e-12 * energy);
+    EXPECT_NEAR(system.fields().stored_energy(x), energy, 1e-12 * energy);
 }
 
 TEST(DofMap, CountsFreeComponentsAndPressures) {

@@ -29,11 +29,6 @@ Matrix empty_matrix(MatType type) {
     return K;
 }
 
-void assemble(Mat K) {
-    SOFT_PETSC(MatAssemblyBegin(K, MAT_FINAL_ASSEMBLY));
-    SOFT_PETSC(MatAssemblyEnd(K, MAT_FINAL_ASSEMBLY));
-}
-
 /// By MatSetValues.
 Matrix searched(MatType type) {
     Matrix K = empty_matrix(type);

@@ -32,8 +32,7 @@ Pencil pencil(const std::vector<double>& eigenvalues, const std::vector<std::pai
         }
     }
     for (Mat A : {pencil.K.get(), pencil.M.get()}) {
-        SOFT_PETSC(MatAssemblyBegin(A, MAT_FINAL_ASSEMBLY));
-        SOFT_PETSC(MatAssemblyEnd(A, MAT_FINAL_ASSEMBLY));
+        assemble(A);
     }
     return pencil;
 }

@@ -12,8 +12,7 @@ Matrix dense(PetscInt n, const std::vector<double>& values) {
     SOFT_PETSC(MatCreateSeqAIJ(PETSC_COMM_SELF, n, n, n, nullptr, A.out()));
     for (PetscInt i = 0; i < n; ++i)
         for (PetscInt j = 0; j < n; ++j) SOFT_PETSC(MatSetValue(A, i, j, values[i * n + j], INSERT_VALUES));
-    SOFT_PETSC(MatAssemblyBegin(A, MAT_FINAL_ASSEMBLY));
-    SOFT_PETSC(MatAssemblyEnd(A, MAT_FINAL_ASSEMBLY));
+    assemble(A);
     return A;
 }
 
@@ -65,8 +64,7 @@ TEST(LinearSolver, SolvesAChangedMatrixWithAStaleFactor) {
     LinearSolver solver(A);
     EXPECT_TRUE(solver.factorize().succeeded);
     SOFT_PETSC(MatSetValue(A, 0, 0, 4.5, INSERT_VALUES));
-    SOFT_PETSC(MatAssemblyBegin(A, MAT_FINAL_ASSEMBLY));
-    SOFT_PETSC(MatAssemblyEnd(A, MAT_FINAL_ASSEMBLY));
+    assemble(A);
     EXPECT_LT(residual_after_solve(solver, A), 1e-8);
     EXPECT_EQ(solver.factorizations(), 1);
 }
@@ -77,8 +75,7 @@ TEST(LinearSolver, ReportsASingularMatrixAsAValue) {
     Vector x, b;
     SOFT_PETSC(MatCreateVecs(A, x.out(), b.out()));
     SOFT_PETSC(VecSetValue(b, 0, 1.0, INSERT_VALUES));  // not in the range of A
-    SOFT_PETSC(VecAssemblyBegin(b));
-    SOFT_PETSC(VecAssemblyEnd(b));
+    assemble(b);
     EXPECT_FALSE(solver.factorize().succeeded && solver.solve(b, x).converged);
 }
 
@@ -91,21 +88,16 @@ Matrix laplacian(PetscInt n) {
         if (i > 0) SOFT_PETSC(MatSetValue(A, i, i - 1, -1.0, INSERT_VALUES));
         if (i + 1 < n) SOFT_PETSC(MatSetValue(A, i, i + 1, -1.0, INSERT_VALUES));
     }
-    SOFT_PETSC(MatAssemblyBegin(A, MAT_FINAL_ASSEMBLY));
-    SOFT_PETSC(MatAssemblyEnd(A, MAT_FINAL_ASSEMBLY));
+    assemble(A);
     return A;
 }
 
-model::LinearSettings settings_of(model::LinearMethod method,
-                                  model::Preconditioner preconditioner = model::Preconditioner::asm_lu) {
-    model::LinearSettings settings;
+LinearSettings settings_of(LinearMethod method, Preconditioner preconditioner = Preconditioner::asm_lu) {
+    LinearSettings settings;
     settings.method = method;
     settings.preconditioner = preconditioner;
     return settings;
 }
-
-using model::LinearMethod;
-using model::Preconditioner;
 
 TEST(LinearSolver, EveryFactorisationSolvesAPositiveDefiniteSystemInTwoIterations) {
     const auto A = laplacian(200);
@@ -136,12 +128,10 @@ TEST(LinearSolver, CholmodReportsAnIndefiniteMatrixAsAValueAndRecovers) {
     auto A = laplacian(50);
     LinearSolver solver(A, Symmetry::symmetric, settings_of(LinearMethod::cholmod));
     SOFT_PETSC(MatSetValue(A, 20, 20, -2.0, INSERT_VALUES));
-    SOFT_PETSC(MatAssemblyBegin(A, MAT_FINAL_ASSEMBLY));
-    SOFT_PETSC(MatAssemblyEnd(A, MAT_FINAL_ASSEMBLY));
+    assemble(A);
     EXPECT_FALSE(solver.factorize().succeeded);
     SOFT_PETSC(MatSetValue(A, 20, 20, 2.0, INSERT_VALUES));
-    SOFT_PETSC(MatAssemblyBegin(A, MAT_FINAL_ASSEMBLY));
-    SOFT_PETSC(MatAssemblyEnd(A, MAT_FINAL_ASSEMBLY));
+    assemble(A);
     EXPECT_TRUE(solver.factorize().succeeded);
     EXPECT_LT(residual_after_solve(solver, A), 1e-10);
 }
@@ -185,8 +175,7 @@ TEST(LinearSolver, KrylovSolveKeepsItsBestIterateAtTheLimitAndCanContinue) {
     const auto first = solver.solve(b, x);  // symmetric right-hand side: exact after 50
     EXPECT_TRUE(first.converged);
     SOFT_PETSC(VecSetValue(b, 3, 2.0, INSERT_VALUES));
-    SOFT_PETSC(VecAssemblyBegin(b));
-    SOFT_PETSC(VecAssemblyEnd(b));
+    assemble(b);
     const auto second = solver.solve(b, x);
     EXPECT_TRUE(second.at_limit && second.usable());
     EXPECT_FALSE(second.converged);

@@ -47,8 +47,7 @@ Matrix stiffness(const Bar& bar) {
                                            bar.mixed ? p + 1 : -1};
         SOFT_PETSC(MatSetValues(K, 5, rows.data(), 5, rows.data(), block.data(), ADD_VALUES));
     }
-    SOFT_PETSC(MatAssemblyBegin(K, MAT_FINAL_ASSEMBLY));
-    SOFT_PETSC(MatAssemblyEnd(K, MAT_FINAL_ASSEMBLY));
+    assemble(K);
     return K;
 }
 
@@ -68,8 +67,7 @@ ElementLevels levels_of(const Bar& bar) {
         pressures.push_back(bar.pressure(cell) + 1);
         levels.blocks.push_back({PressureBlock::Kind::of_cell, 2, {bar.h() / mu, 0, 0, bar.h() / (3 * mu)}});
     }
-    SOFT_PETSC(MatAssemblyBegin(P, MAT_FINAL_ASSEMBLY));
-    SOFT_PETSC(MatAssemblyEnd(P, MAT_FINAL_ASSEMBLY));
+    assemble(P);
     const auto set = [](const std::vector<PetscInt>& numbers, IndexSet& to) {
         SOFT_PETSC(ISCreateGeneral(PETSC_COMM_SELF, static_cast<PetscInt>(numbers.size()), numbers.data(),
                                    PETSC_COPY_VALUES, to.out()));
@@ -87,9 +85,9 @@ struct Solution {
 /// Solves the bar under `force` at the right end.
 Solution pulled(const Bar& bar) {
     const auto K = stiffness(bar);
-    model::LinearSettings settings;
-    settings.method = model::LinearMethod::krylov;
-    settings.preconditioner = model::Preconditioner::multigrid;
+    LinearSettings settings;
+    settings.method = LinearMethod::krylov;
+    settings.preconditioner = Preconditioner::multigrid;
     settings.tolerance = 1e-10;
     LinearSolver solver(K, Symmetry::symmetric, settings);
     solver.set_levels(levels_of(bar));
@@ -136,9 +134,9 @@ int iterations(LinearSolver& solver, Mat K, const Bar& bar) {
 TEST(Multigrid, UpdatedForANewTangentEqualsANewSolver) {
     const Bar bar{60, true};
     auto K = stiffness(bar);
-    model::LinearSettings settings;
-    settings.method = model::LinearMethod::krylov;
-    settings.preconditioner = model::Preconditioner::multigrid;
+    LinearSettings settings;
+    settings.method = LinearMethod::krylov;
+    settings.preconditioner = Preconditioner::multigrid;
     settings.iteration_limit = 200;
     LinearSolver kept(K, Symmetry::symmetric, settings);
     kept.set_levels(levels_of(bar));

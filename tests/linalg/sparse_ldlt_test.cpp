@@ -15,8 +15,7 @@ Matrix sparse(const SmallMatrix& A) {
     SOFT_PETSC(MatCreateSeqAIJ(PETSC_COMM_SELF, A.size, A.size, A.size, nullptr, K.out()));
     for (int i = 0; i < A.size; ++i)
         for (int j = 0; j < A.size; ++j) SOFT_PETSC(MatSetValue(K, i, j, A.at(i, j), INSERT_VALUES));
-    SOFT_PETSC(MatAssemblyBegin(K, MAT_FINAL_ASSEMBLY));
-    SOFT_PETSC(MatAssemblyEnd(K, MAT_FINAL_ASSEMBLY));
+    assemble(K);
     return K;
 }
 

@@ -48,8 +48,7 @@ Matrix on_all_ranks(const SmallMatrix& A) {
     for (PetscInt i = begin; i < end; ++i)
         for (PetscInt j = 0; j < A.size; ++j)
             if (A.at(i, j) != 0.0 || i == j) SOFT_PETSC(MatSetValue(K, i, j, A.at(i, j), INSERT_VALUES));
-    SOFT_PETSC(MatAssemblyBegin(K, MAT_FINAL_ASSEMBLY));
-    SOFT_PETSC(MatAssemblyEnd(K, MAT_FINAL_ASSEMBLY));
+    assemble(K);
     return K;
 }
 

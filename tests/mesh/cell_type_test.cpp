@@ -4,20 +4,15 @@
 #include <set>
 
 #include "blocks.hpp"
+#include "math/vector.hpp"
 
 namespace soft::mesh {
 namespace {
 
-using Vector = std::array<double, 3>;
+Vector3 operator-(const Vector3& a, const Vector3& b) { return difference(a, b); }
 
-Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Vector cross(const Vector& a, const Vector& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Vector mean(const CellTopology& cell, const std::vector<int>& nodes) {
-    Vector sum{};
+Vector3 mean(const CellTopology& cell, const std::vector<int>& nodes) {
+    Vector3 sum{};
     for (const int n : nodes)
         for (std::size_t d = 0; d < 3; ++d) sum[d] += cell.nodes[n][d] / static_cast<double>(nodes.size());
     return sum;
@@ -28,14 +23,14 @@ std::vector<int> corners(const FacetTopology& facet) {
 }
 
 /// Vector area of a flat facet by its corners.
-Vector area(const CellTopology& cell, const FacetTopology& facet) {
+Vector3 area(const CellTopology& cell, const FacetTopology& facet) {
     const auto c = corners(facet);
     const auto p = [&](std::size_t i) { return cell.nodes[c[i]]; };
     if (c.size() == 2) {
-        const Vector t = p(1) - p(0);
+        const Vector3 t = p(1) - p(0);
         return {t[1], -t[0], 0};
     }
-    const Vector n = c.size() == 3 ? cross(p(1) - p(0), p(2) - p(0)) : cross(p(2) - p(0), p(3) - p(1));
+    const Vector3 n = c.size() == 3 ? cross(p(1) - p(0), p(2) - p(0)) : cross(p(2) - p(0), p(3) - p(1));
     return {n[0] / 2, n[1] / 2, n[2] / 2};
 }
 
@@ -62,10 +57,10 @@ TEST_P(EveryCell, FacetsPointOutOfTheCell) {
 }
 
 TEST_P(EveryCell, FacetsCloseTheCell) {
-    Vector sum{};
+    Vector3 sum{};
     double flux = 0;  // flux of x / dimension, which is the cell's volume
     for (const FacetTopology& facet : cell.facets) {
-        const Vector a = area(cell, facet);
+        const Vector3 a = area(cell, facet);
         for (std::size_t d = 0; d < 3; ++d) sum[d] += a[d];
         flux += dot(a, mean(cell, corners(facet))) / cell.dimension;
     }
@@ -156,10 +151,10 @@ TEST(CellType, MidNodesFollowTheVtkOrder) {
 }
 
 TEST(CellType, CornersRunCounterClockwiseSeenFromInside) {
-    EXPECT_EQ(topology(CellType::hex27).nodes[0], (Vector{-1, -1, -1}));
-    EXPECT_EQ(topology(CellType::hex27).nodes[6], (Vector{1, 1, 1}));
-    EXPECT_EQ(topology(CellType::wedge18).nodes[2], (Vector{0, 1, -1}));
-    EXPECT_EQ(topology(CellType::wedge18).nodes[4], (Vector{1, 0, 1}));
+    EXPECT_EQ(topology(CellType::hex27).nodes[0], (Vector3{-1, -1, -1}));
+    EXPECT_EQ(topology(CellType::hex27).nodes[6], (Vector3{1, 1, 1}));
+    EXPECT_EQ(topology(CellType::wedge18).nodes[2], (Vector3{0, 1, -1}));
+    EXPECT_EQ(topology(CellType::wedge18).nodes[4], (Vector3{1, 0, 1}));
 }
 
 }  // namespace

@@ -130,10 +130,10 @@ TEST(Contact, EndsThePathJustBeforeWallsTouch) {
     auto input = sphere_case(2, 4);
     input.path.stages = {full_load(input, {-3 * sample_mu_Pa})};
     fem::System measuring(input, PETSC_COMM_WORLD);
-    const double undeformed = measuring.load_volume(0, measuring.make_vector(), nullptr);
+    const double undeformed = measuring.volumes().of_load(0, measuring.make_vector(), nullptr);
     StopReason seen = StopReason::self_contact;
     const auto touches = [&](Vec x) -> std::optional<ContactEvent> {
-        if (measuring.load_volume(0, x, nullptr) > 0.8 * undeformed) return std::nullopt;
+        if (measuring.volumes().of_load(0, x, nullptr) > 0.8 * undeformed) return std::nullopt;
         return ContactEvent{"the walls touch", seen};
     };
     const auto [steps, end, log] = run(input, touches);

@@ -199,7 +199,7 @@ model::Case line_case(double time_constant_s) {
     input.loads[0].gas.dead_volume_m3 = 2e-6;
     input.path.stages = {full_load(input, {3e4})};
     fem::System system(input, PETSC_COMM_WORLD);
-    const double volume = system.load_volume(0, system.make_vector(), nullptr);
+    const double volume = system.volumes().of_load(0, system.make_vector(), nullptr);
     input.loads[0].line = model::SupplyLine{time_constant_s * 101325.0 / (volume + 2e-6)};
     return input;
 }

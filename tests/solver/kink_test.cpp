@@ -29,7 +29,7 @@ TEST(Kink, NewtonFindsTheTautFibresAtRest) {
         Bench bench(input, input.solver);
         State state = bench.rest();
         EXPECT_EQ(bench.newton.correct({ConstraintKind::load_factor}, load_factor, state).end, NewtonEnd::converged);
-        return std::pair{bench.system.load_volume(0, state.x, nullptr), std::move(state)};
+        return std::pair{bench.system.volumes().of_load(0, state.x, nullptr), std::move(state)};
     };
     const auto [rest_m3, rest] = at(0.0);
     const auto [once_m3, once] = at(1e-3);

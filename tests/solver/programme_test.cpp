@@ -79,7 +79,7 @@ TEST(Programme, APrescribedMotionStretchesTheBlockByTheClosedForm) {
     std::vector<model::Step> steps;
     const auto end = follow_path(system, {.step = [&](const model::Step& step, Vec x) {
                                      steps.push_back(step);
-                                     energy = system.stored_energy(x);
+                                     energy = system.fields().stored_energy(x);
                                  }});
     EXPECT_EQ(end.reason, StopReason::done);
     const double l = 1.5;

@@ -28,10 +28,10 @@ TEST(Newton, ReachesThePrescribedValueOfEveryConstraint) {
     Bench bench(input, input.solver);
     State by_load = bench.rest(), by_volume = bench.rest();
     ASSERT_EQ(bench.newton.correct({ConstraintKind::load_factor}, 0.05, by_load).end, NewtonEnd::converged);
-    const double volume = bench.system.load_volume(0, by_load.x, nullptr);
+    const double volume = bench.system.volumes().of_load(0, by_load.x, nullptr);
     ASSERT_EQ(bench.newton.correct({ConstraintKind::volume}, volume, by_volume).end, NewtonEnd::converged);
     EXPECT_NEAR(by_volume.load_factor, 0.05, 1e-9);
-    EXPECT_NEAR(bench.system.load_volume(0, by_volume.x, nullptr) / volume, 1.0, 1e-9);
+    EXPECT_NEAR(bench.system.volumes().of_load(0, by_volume.x, nullptr) / volume, 1.0, 1e-9);
 }
 
 TEST(Newton, ConvergesQuadratically) {
@@ -148,7 +148,7 @@ TEST(Path, WorkOfThePressureIsTheStoredEnergy) {
     double energy = 0;
     (void)follow_path(system, {.step = [&](const model::Step& step, Vec x) {
                           steps.push_back(step);
-                          energy = system.stored_energy(x) / input.model_fraction;
+                          energy = system.fields().stored_energy(x) / input.model_fraction;
                       }});
     double work = 0;
     for (std::size_t i = 1; i < steps.size(); ++i) {

@@ -40,6 +40,13 @@ TEST(EnclosedVolume, IsTranslationInvariant) {
     EXPECT_NEAR(enclosed_volume_m3(model, facets, far), 4.32, 1e-11);
 }
 
+TEST(EnclosedVolume, OfAnOpeningAwayFromTheSymmetryPlaneIsClosedByAFlatPlug) {
+    model::Case model = test::hollow_box(test::Hole::to_the_right);
+    for (mesh::Point& p : model.mesh.points) p[0] += 7;
+    model.symmetry_planes = {true, false, false};
+    EXPECT_NEAR(volume(model), 4.32, 1e-11);
+}
+
 TEST(EnclosedVolume, ScalesWithTheDeterminantOfALinearMap) {
     const model::Case model = test::hollow_box(test::Hole::to_the_right);
     const auto facets = cavity_facets(model, model.cavities.front());

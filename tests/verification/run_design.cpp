@@ -54,7 +54,7 @@ solver::ContactCheck contact_check(fem::System& system) {
     // std::function requires a copyable target, but a finder cannot be copied.
     const auto finder = std::make_shared<const contact::ContactFinder>(system.input());
     return [&system, finder](Vec x) -> std::optional<solver::ContactEvent> {
-        const auto contact = finder->find(system.gather_fields(x).displacement_m);
+        const auto contact = finder->find(system.fields().gather(x).displacement_m);
         if (!contact) return std::nullopt;
         return solver::ContactEvent{contact->text, contact->is_inverted ? model::StopReason::inverted_element
                                                                         : model::StopReason::self_contact};
@@ -77,8 +77,9 @@ Run run_design(const std::string& design, const std::vector<std::string>& sets, 
     fem::System system(run.model, PETSC_COMM_WORLD);
     const auto sink = [&](const model::Step& step, Vec x) {
         run.steps.push_back(step);
-        run.displacement_m = system.gather_fields(x).displacement_m;
-        if (energy == Energy::recorded) run.energy_J.push_back(system.stored_energy(x) / run.model.model_fraction);
+        run.displacement_m = system.fields().gather(x).displacement_m;
+        if (energy == Energy::recorded)
+            run.energy_J.push_back(system.fields().stored_energy(x) / run.model.model_fraction);
     };
     const solver::Listeners listeners{.step = sink, .contact = contact_check(system)};
     run.end = run.model.dynamics ? solver::integrate_motion(system, listeners) : solver::follow_path(system, listeners);

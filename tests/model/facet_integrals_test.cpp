@@ -1,15 +1,14 @@
-#include "fem/pressure_kernel.hpp"
+#include "model/facet_integrals.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-namespace soft::fem {
+namespace soft::model {
 namespace {
 
 using mesh::CellType;
-using model::Kinematics;
 
 struct Combination {
     CellType type;
@@ -38,9 +37,9 @@ std::vector<double> direction(std::size_t size) {
     return d;
 }
 
-TEST(PressureKernel, TangentIsTheDerivativeOfTheForce) {
+TEST(FacetIntegrals, TangentIsTheDerivativeOfTheForce) {
     for (const auto& [type, kinematics] : combinations) {
-        const auto facet = make_reference_facet(type);
+        const auto& facet = reference_facet(type);
         const auto x = curved_facet(facet);
         const auto n = x.size();
         const auto d = direction(n);
@@ -66,9 +65,9 @@ TEST(PressureKernel, TangentIsTheDerivativeOfTheForce) {
     }
 }
 
-TEST(PressureKernel, VolumeGradientIsTheDerivativeOfTheVolume) {
+TEST(FacetIntegrals, VolumeGradientIsTheDerivativeOfTheVolume) {
     for (const auto& [type, kinematics] : combinations) {
-        const auto facet = make_reference_facet(type);
+        const auto& facet = reference_facet(type);
         const auto x = curved_facet(facet);
         const auto d = direction(x.size());
         std::vector<double> gradient(x.size(), 0.0);
@@ -86,8 +85,8 @@ TEST(PressureKernel, VolumeGradientIsTheDerivativeOfTheVolume) {
 }
 
 // A facet in the plane r = R of an axisymmetric wall, rubber outside: t along +x, normal towards the axis.
-TEST(PressureKernel, ForceAndVolumeOfACylindricalWallMatchTheClosedForm) {
-    const auto facet = make_reference_facet(CellType::line3);
+TEST(FacetIntegrals, ForceAndVolumeOfACylindricalWallMatchTheClosedForm) {
+    const auto& facet = reference_facet(CellType::line3);
     const double R = 0.007, L = 0.02;
     const std::vector<double> x{0.0, L, L / 2, R, R, R};
     std::vector<double> f(6, 0.0), gradient(6, 0.0);
@@ -99,8 +98,8 @@ TEST(PressureKernel, ForceAndVolumeOfACylindricalWallMatchTheClosedForm) {
     EXPECT_NEAR(facet_area(facet, Kinematics::axisymmetric, x, weights), 2 * std::numbers::pi * R * L, 1e-16);
 }
 
-TEST(PressureKernel, TheForceOnAFlatSquareIsItsAreaAlongTheNormal) {
-    const auto facet = make_reference_facet(CellType::quad9);
+TEST(FacetIntegrals, TheForceOnAFlatSquareIsItsAreaAlongTheNormal) {
+    const auto& facet = reference_facet(CellType::quad9);
     std::vector<double> x(27, 0.0), f(27, 0.0), weights(9, 0.0);
     for (int a = 0; a < 9; ++a) {
         x[a] = 0.5 * mesh::topology(CellType::quad9).nodes[a][0];
@@ -118,8 +117,8 @@ TEST(PressureKernel, TheForceOnAFlatSquareIsItsAreaAlongTheNormal) {
 }
 
 // Cap of a square rim with its normal along +z at height z: the volume is 1/3 z times the area for an apex in the plane of the rim.
-TEST(PressureKernel, CapOfAFlatRimIsTheConeFromTheOrigin) {
-    const auto edge = make_reference_facet(CellType::line3);
+TEST(FacetIntegrals, CapOfAFlatRimIsTheConeFromTheOrigin) {
+    const auto& edge = reference_facet(CellType::line3);
     const double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
     const double apex[3] = {0.2, -0.1, 0.6};
     double volume = 0;
@@ -134,8 +133,8 @@ TEST(PressureKernel, CapOfAFlatRimIsTheConeFromTheOrigin) {
     EXPECT_NEAR(volume, 0.6 * 4.0 / 3.0, 1e-14);
 }
 
-TEST(PressureKernel, CapGradientsAreTheDerivativesOfTheVolume) {
-    const auto edge = make_reference_facet(CellType::line3);
+TEST(FacetIntegrals, CapGradientsAreTheDerivativesOfTheVolume) {
+    const auto& edge = reference_facet(CellType::line3);
     const std::vector<double> y{0.1, 0.9, 0.55, -0.3, 0.4, 0.1, 0.8, 0.6, 0.75};
     const double apex[3] = {0.2, -0.1, 0.6};
     std::vector<double> gradient(9, 0.0), unused(9, 0.0);
@@ -161,4 +160,4 @@ TEST(PressureKernel, CapGradientsAreTheDerivativesOfTheVolume) {
 }
 
 }  // namespace
-}  // namespace soft::fem
+}  // namespace soft::model

@@ -1,18 +1,20 @@
-#include "fem/pressure_kernel.hpp"
+#include "model/facet_integrals.hpp"
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <stdexcept>
 
-#include "math/tensor.hpp"
+#include "core/error.hpp"
+#include "math/vector.hpp"
 #include "mesh/quadrature.hpp"
 #include "mesh/shape.hpp"
 
-namespace soft::fem {
+namespace soft::model {
 
 namespace {
 
-using model::Kinematics;
 constexpr double two_pi = 2.0 * std::numbers::pi;
 
 /// Position and tangents at a point of the facet.
@@ -134,9 +136,7 @@ double section_volume(const ReferenceFacet& facet, Kinematics kinematics, std::s
     return volume;
 }
 
-}  // namespace
-
-ReferenceFacet make_reference_facet(mesh::CellType type) {
+ReferenceFacet make_reference(mesh::CellType type) {
     const auto& cell = mesh::topology(type);
     ReferenceFacet facet;
     facet.type = type;
@@ -153,6 +153,17 @@ ReferenceFacet make_reference_facet(mesh::CellType type) {
         ++facet.points;
     }
     return facet;
+}
+
+}  // namespace
+
+const ReferenceFacet& reference_facet(mesh::CellType type) {
+    using enum mesh::CellType;
+    static const std::array facets{make_reference(line2),     make_reference(line3), make_reference(triangle3),
+                                   make_reference(triangle6), make_reference(quad4), make_reference(quad9)};
+    for (const ReferenceFacet& facet : facets)
+        if (facet.type == type) return facet;
+    throw std::logic_error("reference_facet: not a facet");
 }
 
 void pressure_force(const ReferenceFacet& facet, Kinematics kinematics, std::span<const double> x,
@@ -182,6 +193,30 @@ double facet_area(const ReferenceFacet& facet, Kinematics kinematics, std::span<
     return area;
 }
 
+const std::vector<mesh::Facet>& facets_of(const mesh::Mesh& mesh, const std::string& face) {
+    const auto found = mesh.facet_sets.find(face);
+    if (found == mesh.facet_sets.end() || found->second.empty())
+        throw Error(ExitCode::bad_input, "loads", "no face is called '" + face + "'");
+    return found->second;
+}
+
+FaceWeights face_weights(const mesh::Mesh& mesh, Kinematics kinematics, const std::string& face) {
+    std::map<mesh::Index, double> shares;  // ascending, so that sums run in the same order on every rank
+    FaceWeights weights;
+    for (const auto& facet : facets_of(mesh, face)) {
+        const auto nodes = mesh::facet_nodes(mesh, facet);
+        std::vector<double> share(nodes.size(), 0.0);
+        weights.area_m2 += facet_area(reference_facet(mesh::facet_type(mesh, facet)), kinematics,
+                                      mesh::by_component(mesh.points, nodes, mesh.dimension), share);
+        for (std::size_t a = 0; a < nodes.size(); ++a) shares[nodes[a]] += share[a];
+    }
+    for (const auto& [node, share] : shares) {
+        weights.nodes.push_back(node);
+        weights.weights_m2.push_back(share);
+    }
+    return weights;
+}
+
 double cap_volume(const ReferenceFacet& edge, std::span<const double> y, std::span<const double, 3> apex,
                   std::span<double> gradient, std::span<double, 3> apex_gradient) {
     const int n = edge.nodes;
@@ -202,4 +237,4 @@ double cap_volume(const ReferenceFacet& edge, std::span<const double> y, std::sp
     return volume;
 }
 
-}  // namespace soft::fem
+}  // namespace soft::model

@@ -1,0 +1,202 @@
+#include "fem/assembler.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "linalg/profile.hpp"
+
+namespace soft::fem {
+
+namespace {
+
+/// Enough to make the overhead of a batch negligible.
+constexpr std::size_t cells_per_thread = 16;
+
+void add_scaled(Vec out, double factor, std::span<const PetscInt> dofs, std::vector<double> values) {
+    if (factor == 0.0) return;
+    for (double& value : values) value *= factor;
+    SOFT_PETSC(VecSetValues(out, static_cast<PetscInt>(dofs.size()), dofs.data(), values.data(), ADD_VALUES));
+}
+
+/// Reduces to the worst point and its cell, the same on every rank; ties go to the lower rank.
+void reduce(Evaluation& result, const Discretization& fe) {
+    struct {
+        double value;
+        int rank;
+    } mine{result.min_jacobian, fe.rank}, worst{};
+    MPI_Allreduce(&mine, &worst, 1, MPI_DOUBLE_INT, MPI_MINLOC, fe.comm);
+    result.min_jacobian = worst.value;
+    MPI_Bcast(&result.worst_cell, 1, MPI_INT64_T, worst.rank, fe.comm);
+    MPI_Allreduce(MPI_IN_PLACE, &result.force_scale, 1, MPI_DOUBLE, MPI_SUM, fe.comm);
+    result.force_scale = std::sqrt(result.force_scale);
+}
+
+}  // namespace
+
+Evaluation Assembler::evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::span<const LoadColumn> columns) {
+    const linalg::ScopedTimer timed(K != nullptr ? linalg::Phase::tangent : linalg::Phase::residual);
+    state_.prescribe(levels);
+    state_.read(x);
+    SOFT_PETSC(VecSetOption(R, VEC_IGNORE_NEGATIVE_INDICES, PETSC_TRUE));  // R may be created by a PETSc solver
+    SOFT_PETSC(VecZeroEntries(R));
+    for (const auto& column : columns) SOFT_PETSC(VecZeroEntries(column.out));
+    if (K != nullptr) SOFT_PETSC(MatZeroEntries(K));
+    Evaluation result;
+    result.min_jacobian = std::numeric_limits<double>::max();
+    std::optional<linalg::BlockAdder> tangent;
+    if (K != nullptr) {
+        find_block_indices(K);
+        tangent.emplace(K);
+    }
+    const Targets to{R, tangent ? &*tangent : nullptr, columns};
+    for (std::size_t group = 0; group < fe_.groups.size(); ++group) add_cells(group, to, result);
+    reduce(result, fe_);
+    for (std::size_t load = 0; load < loads_.pressures.size(); ++load) add_pressures(load, to);
+    tangent.reset();
+    linalg::assemble(R);
+    for (const auto& column : columns) linalg::assemble(column.out);
+    add_dead_loads(to);
+    if (K != nullptr) linalg::assemble(K);
+    return result;
+}
+
+/// The matrices of a system have the same pattern, so the indices are computed once; another pattern would recompute them.
+void Assembler::find_block_indices(Mat K) {
+    PetscObjectId id = 0;
+    PetscObjectState state = 0;
+    SOFT_PETSC(PetscObjectGetId(reinterpret_cast<PetscObject>(K), &id));
+    SOFT_PETSC(MatGetNonzeroState(K, &state));
+    if (id == indices_.matrix && state == indices_.state) return;
+    const bool is_first = indices_.matrix == 0;
+    const std::uint64_t pattern = linalg::pattern_hash(K);
+    indices_.matrix = id;
+    indices_.state = state;
+    if (!is_first && pattern == indices_.pattern) return;
+    indices_.pattern = pattern;
+    indices_.groups.clear();
+    indices_.pressures.clear();
+    std::vector<std::span<const PetscInt>> blocks;
+    for (const auto& group : fe_.groups) {
+        blocks.clear();
+        for (std::size_t c = 0; c < group.cells.size(); ++c) blocks.push_back(group.dofs_of(c));
+        indices_.groups.emplace_back(K, blocks);
+    }
+    for (const auto& load : loads_.pressures) {
+        blocks.clear();
+        for (const auto& facet : load.facets) blocks.emplace_back(facet.dofs);
+        indices_.pressures.emplace_back(K, blocks);
+    }
+}
+
+void Assembler::add_cells(std::size_t index, const Targets& to, Evaluation& result) const {
+    const CellGroup& group = fe_.groups[index];
+    const auto wanted = to.K != nullptr ? material::Wanted::stress_and_tangent : material::Wanted::stress;
+    // All threads compute a batch of cells; one thread adds them in order, so that the sums do not depend on the number of threads.
+    const int threads = fe_.input.solver.threads;
+    const std::size_t batch = threads > 1 ? cells_per_thread * static_cast<std::size_t>(threads) : 1;
+    std::vector<LocalCell> cells(batch, LocalCell(*group.reference));
+    for (std::size_t begin = 0; begin < group.cells.size(); begin += batch) {
+        const int count = static_cast<int>(std::min(batch, group.cells.size() - begin));
+#pragma omp parallel for num_threads(threads) schedule(static) if (threads > 1)
+        for (int i = 0; i < count; ++i) integrate(fe_, state_, group, begin + i, wanted, cells[i]);
+        for (int i = 0; i < count; ++i) {
+            const CellOutput& out = cells[i].out;
+            const auto dofs = group.dofs_of(begin + i);
+            if (out.min_jacobian < result.min_jacobian) {
+                result.min_jacobian = out.min_jacobian;
+                result.worst_cell = group.cells[begin + i];
+            }
+            for (const double r : out.residual) result.force_scale += r * r;
+            SOFT_PETSC(
+                VecSetValues(to.R, static_cast<PetscInt>(dofs.size()), dofs.data(), out.residual.data(), ADD_VALUES));
+            if (to.K == nullptr) continue;
+            to.K->add(indices_.groups[index], begin + i, out.stiffness);
+            for (const auto& column : to.columns) subtract_moved(column, dofs, out.stiffness);
+        }
+    }
+}
+
+double Assembler::velocity_of(PetscInt dof, const LoadLevels& rates) const {
+    const int slot = motion_slot(dof);
+    return slot < 0 ? 0.0 : rates.motions[slot / 3] * fe_.moved_by(dof);
+}
+
+void Assembler::subtract_moved(const LoadColumn& column, std::span<const PetscInt> dofs,
+                               std::span<const double> matrix) const {
+    if (fe_.input.motions.empty()) return;
+    std::vector<double> force;
+    for (std::size_t j = 0; j < dofs.size(); ++j) {
+        const double velocity = velocity_of(dofs[j], column.direction);
+        if (velocity == 0.0) continue;
+        force.resize(dofs.size(), 0.0);
+        for (std::size_t i = 0; i < dofs.size(); ++i) force[i] -= matrix[i * dofs.size() + j] * velocity;
+    }
+    if (!force.empty())
+        SOFT_PETSC(VecSetValues(column.out, static_cast<PetscInt>(dofs.size()), dofs.data(), force.data(), ADD_VALUES));
+}
+
+void Assembler::add_pressures(std::size_t load, const Targets& to) const {
+    const PressureSurface& surface = loads_.pressures[load];
+    const double pressure = state_.levels().pressures_Pa[load];
+    std::vector<double> x, force, stiffness;
+    for (std::size_t f = 0; f < surface.facets.size(); ++f) {
+        const SurfaceCell& facet = surface.facets[f];
+        state_.positions(facet, x);
+        stiffness.resize(surface.follows && to.K != nullptr && pressure != 0.0 ? x.size() * x.size() : 0);
+        pressure_force(fe_, surface, facet, x, force, stiffness);
+        add_scaled(to.R, -pressure, facet.dofs, force);
+        for (const auto& column : to.columns)
+            add_scaled(column.out, column.direction.pressures_Pa[load], facet.dofs, force);
+        if (stiffness.empty()) continue;
+        for (double& k : stiffness) k *= -pressure;
+        to.K->add(indices_.pressures[load], f, stiffness);
+        for (const auto& column : to.columns) subtract_moved(column, facet.dofs, stiffness);
+    }
+    if (fe_.rank != 0) return;  // every rank has the whole plug force
+    const auto& [dofs, values] = surface.plug_force;
+    add_scaled(to.R, -pressure, dofs, values);
+    for (const auto& column : to.columns) add_scaled(column.out, column.direction.pressures_Pa[load], dofs, values);
+}
+
+void Assembler::add_dead_loads(const Targets& to) const {
+    const auto add = [&](std::span<const linalg::Vector> forces, std::vector<double> LoadLevels::*list) {
+        for (std::size_t i = 0; i < forces.size(); ++i) {
+            linalg::add(to.R, -(state_.levels().*list)[i], forces[i]);
+            for (const auto& column : to.columns) linalg::add(column.out, (column.direction.*list)[i], forces[i]);
+        }
+    };
+    add(loads_.tractions, &LoadLevels::tractions);
+    add(loads_.body_forces, &LoadLevels::body_forces);
+}
+
+double Assembler::load_power(Vec x, Vec velocity, const LoadLevels& levels, const LoadLevels& rates) {
+    const linalg::ScopedTimer timed(linalg::Phase::measures);
+    state_.prescribe(levels);
+    state_.read(x);
+    const linalg::Vector force = fe_.make_vector();  // of the loads, with the sign of a residual
+    const Targets to{force, nullptr, {}};
+    for (std::size_t load = 0; load < loads_.pressures.size(); ++load) add_pressures(load, to);
+    linalg::assemble(force);
+    add_dead_loads(to);
+    return motion_power(rates) - linalg::dot(force, velocity);
+}
+
+double Assembler::motion_power(const LoadLevels& rates) const {
+    double power = 0;
+    const bool moving = std::ranges::any_of(rates.motions, [](double rate) { return rate != 0.0; });
+    for (std::size_t g = 0; g < fe_.groups.size() && moving; ++g) {
+        const CellGroup& group = fe_.groups[g];
+        LocalCell cell(*group.reference);
+        for (std::size_t c = 0; c < group.cells.size(); ++c) {
+            const auto dofs = group.dofs_of(c);
+            if (std::ranges::none_of(dofs, [](PetscInt dof) { return motion_slot(dof) >= 0; })) continue;
+            integrate(fe_, state_, group, c, material::Wanted::stress, cell);
+            for (std::size_t k = 0; k < dofs.size(); ++k) power += cell.out.residual[k] * velocity_of(dofs[k], rates);
+        }
+    }
+    MPI_Allreduce(MPI_IN_PLACE, &power, 1, MPI_DOUBLE, MPI_SUM, fe_.comm);
+    return power;
+}
+
+}  // namespace soft::fem

@@ -1,0 +1,76 @@
+#pragma once
+/// Assembles the equilibrium on the free unknowns x = (displacements, scaled pressures) under given load levels:
+///   R(x, levels) = internal forces - sum over the loads of level x force(x),    K = dR/dx,
+/// with pressure x force per unit pressure for the pressure loads, dead forces for tractions and body forces, and
+/// prescribed displacements as values of the nodes of the cells (and facets) that they move. Collective over the communicator.
+/// Tested by fem/system_test, fem/loads_test (Taylor remainders, rank independence) and the verification suite.
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "fem/loads.hpp"
+#include "fem/local_state.hpp"
+#include "linalg/block_entries.hpp"
+
+namespace soft::fem {
+
+/// Outcome of one evaluation; an inverted cell is an expected failure.
+struct Evaluation {
+    double min_jacobian = 1;      ///< smallest det F over all quadrature points
+    mesh::Index worst_cell = -1;  ///< cell where it occurs
+    double force_scale = 0;       ///< root of the sum of squares of all cells' nodal forces, before they cancel
+    [[nodiscard]] bool admissible() const noexcept { return min_jacobian > 0.0; }
+};
+
+/// A direction of the load levels, and the vector that receives -dR/d(direction).
+struct LoadColumn {
+    LoadLevels direction;
+    Vec out = nullptr;
+};
+
+class Assembler {
+public:
+    /// All three must outlive this object.
+    Assembler(const Discretization& fe, const Loads& loads, LocalState& state)
+        : fe_(fe), loads_(loads), state_(state) {}
+
+    /// Fills R and the columns, and with K also the tangent (required by columns that move a face). Prescribes the levels' motions.
+    /// If the result is not admissible they are incomplete.
+    Evaluation evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::span<const LoadColumn> columns = {});
+
+    /// Power of the loads on the modelled part [W], in the time unit of `velocity` of the unknowns and `rates`
+    /// of the levels; prescribed motions contribute with the forces that move their nodes. Prescribes the levels.
+    [[nodiscard]] double load_power(Vec x, Vec velocity, const LoadLevels& levels, const LoadLevels& rates);
+
+private:
+    /// What one evaluation adds to; K nullptr: no tangent is computed.
+    struct Targets {
+        Vec R;
+        linalg::BlockAdder* K;
+        std::span<const LoadColumn> columns;
+    };
+    /// Indices of the blocks of cells and facets in matrices of the pattern used last.
+    struct MatrixIndices {
+        PetscObjectId matrix = 0;
+        PetscObjectState state = -1;
+        std::uint64_t pattern = 0;
+        std::vector<linalg::BlockIndices> groups, pressures;
+    };
+
+    void find_block_indices(Mat K);
+    void add_cells(std::size_t group, const Targets& to, Evaluation& result) const;
+    void add_pressures(std::size_t load, const Targets& to) const;
+    void add_dead_loads(const Targets& to) const;
+    /// column -= matrix x (velocity of the prescribed components), for one cell or facet.
+    void subtract_moved(const LoadColumn& column, std::span<const PetscInt> dofs, std::span<const double> matrix) const;
+    /// Power of the forces that move prescribed components.
+    [[nodiscard]] double motion_power(const LoadLevels& rates) const;
+    [[nodiscard]] double velocity_of(PetscInt dof, const LoadLevels& rates) const;
+
+    const Discretization& fe_;
+    const Loads& loads_;
+    LocalState& state_;
+    MatrixIndices indices_;
+};
+
+}  // namespace soft::fem

@@ -1,0 +1,181 @@
+#include "fem/fields.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "linalg/profile.hpp"
+#include "math/tensor.hpp"
+
+namespace soft::fem {
+
+namespace {
+
+struct PointLocation {
+    const CellGroup& group;
+    std::size_t cell, point;  // of the group, of the cell
+};
+
+/// Calls visit(point, energy per undeformed volume, location) for every quadrature point of this rank's cells.
+template <class Visit>
+void for_each_point(const Discretization& fe, const LocalState& state, Visit&& visit) {
+    std::vector<PointState> points;
+    for (const auto& group : fe.groups) {
+        LocalCell cell(*group.reference);
+        for (std::size_t c = 0; c < group.cells.size(); ++c) {
+            gather(fe, state, group, c, cell);
+            points.clear();
+            std::visit(
+                [&](const auto& rubber) {
+                    sample_cell(*group.reference, fe.input.kinematics, rubber.fiber_frame,
+                                cell.input(fe.dofs.pressure_scale_Pa), cell.out.points, points);
+                    for (std::size_t q = 0; q < points.size(); ++q)
+                        visit(points[q], energy_density(fe.input.formulation, rubber, points[q]),
+                              PointLocation{group, c, q});
+                },
+                *group.rubber);
+        }
+    }
+}
+
+Vector3 undeformed_position(const mesh::Mesh& mesh, const PointLocation& location) {
+    const auto nodes = mesh.cell_nodes(location.group.cells[location.cell]);
+    Vector3 X{};
+    for (std::size_t a = 0; a < nodes.size(); ++a)
+        for (std::size_t i = 0; i < 3; ++i)
+            X[i] += location.group.reference->N[location.point * nodes.size() + a] * mesh.point(nodes[a])[i];
+    return X;
+}
+
+struct Sample {
+    double stretch, volume;
+};
+
+/// The samples of all ranks, the largest stretch first.
+std::vector<Sample> sorted_samples(const std::vector<Sample>& mine, MPI_Comm comm) {
+    int size = 1;
+    MPI_Comm_size(comm, &size);
+    std::vector<int> counts(size), starts(size, 0);
+    const int count = static_cast<int>(2 * mine.size());
+    MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
+    std::partial_sum(counts.begin(), counts.end() - 1, starts.begin() + 1);
+    std::vector<Sample> all((starts.back() + counts.back()) / 2);
+    MPI_Allgatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(), starts.data(), MPI_DOUBLE, comm);
+    std::ranges::sort(all, [](const Sample& a, const Sample& b) {
+        return a.stretch != b.stretch ? a.stretch > b.stretch : a.volume > b.volume;
+    });
+    return all;
+}
+
+/// The stretch that is exceeded in 1 % of the volume.
+double percentile_99(const std::vector<Sample>& sorted) {
+    double total = 0, above = 0;
+    for (const auto& sample : sorted) total += sample.volume;
+    for (const auto& sample : sorted) {
+        above += sample.volume;
+        if (above >= 0.01 * total) return sample.stretch;
+    }
+    return sorted.back().stretch;
+}
+
+/// Adds the pressure of one cell at its nodes.
+void add_nodal_pressures(const Discretization& fe, mesh::Index cell, const std::vector<double>& x,
+                         std::vector<double>& pressure_Pa, std::vector<int>& shares) {
+    const auto& mesh = fe.input.mesh;
+    const auto& reference = reference_of(fe.references, mesh.cell_type(cell));
+    const auto nodes = mesh.cell_nodes(cell);
+    std::vector<PetscInt> dofs;
+    fe.dofs.cell_dofs(mesh, cell, reference, dofs);
+    std::vector<double> unknowns;
+    for (int s = reference.displacement_dofs(); s < reference.dofs(); ++s) unknowns.push_back(x[dofs[s]]);
+    const auto nodal = nodal_pressures(reference, mesh::by_component(mesh.points, nodes, mesh.dimension), unknowns,
+                                       fe.dofs.pressure_scale_Pa);
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+        pressure_Pa[nodes[a]] += nodal[a];
+        ++shares[nodes[a]];
+    }
+}
+
+}  // namespace
+
+double Fields::stored_energy(Vec x) {
+    state_.read(x);
+    double energy_J = 0;
+    for_each_point(fe_, state_, [&](const PointState& point, double energy_J_m3, const PointLocation&) {
+        energy_J += point.weight_m3 * energy_J_m3;
+    });
+    MPI_Allreduce(MPI_IN_PLACE, &energy_J, 1, MPI_DOUBLE, MPI_SUM, fe_.comm);
+    return energy_J;
+}
+
+StretchSummary Fields::stretches(Vec x) {
+    const linalg::ScopedTimer timed(linalg::Phase::measures);
+    state_.read(x);
+    std::vector<Sample> mine;
+    StretchSummary summary;
+    summary.min_jacobian = 1e300;
+    struct {
+        double stretch;
+        int rank;
+    } own{0, fe_.rank}, most{};
+    for_each_point(fe_, state_, [&](const PointState& point, double energy_J_m3, const PointLocation& location) {
+        const auto eigenvalues = symmetric_eigenvalues(right_cauchy_green(point.F));
+        mine.push_back({std::sqrt(std::max(eigenvalues[0], 0.0)), point.weight_m3});
+        summary.min_jacobian = std::min(summary.min_jacobian, determinant(point.F));
+        summary.stored_energy_J += point.weight_m3 * energy_J_m3;
+        summary.max_energy_J_m3 = std::max(summary.max_energy_J_m3, energy_J_m3);
+        if (mine.back().stretch <= own.stretch) return;
+        own.stretch = mine.back().stretch;
+        summary.max_at_m = undeformed_position(fe_.input.mesh, location);
+    });
+    MPI_Allreduce(MPI_IN_PLACE, &summary.min_jacobian, 1, MPI_DOUBLE, MPI_MIN, fe_.comm);
+    MPI_Allreduce(MPI_IN_PLACE, &summary.stored_energy_J, 1, MPI_DOUBLE, MPI_SUM, fe_.comm);
+    MPI_Allreduce(MPI_IN_PLACE, &summary.max_energy_J_m3, 1, MPI_DOUBLE, MPI_MAX, fe_.comm);
+    MPI_Allreduce(&own, &most, 1, MPI_DOUBLE_INT, MPI_MAXLOC, fe_.comm);
+    MPI_Bcast(summary.max_at_m.data(), 3, MPI_DOUBLE, most.rank, fe_.comm);
+    const auto samples = sorted_samples(mine, fe_.comm);
+    summary.largest = samples.front().stretch;
+    summary.p99 = percentile_99(samples);
+    return summary;
+}
+
+NodalFields Fields::gather(Vec x) const {
+    const linalg::ScopedTimer timed(linalg::Phase::measures);
+    const std::vector<double> all = linalg::gather(x);
+    NodalFields fields;
+    if (fe_.rank != 0) return fields;
+    const mesh::Mesh& mesh = fe_.input.mesh;
+    const DofMap& map = fe_.dofs;
+    const std::size_t points = mesh.points.size(), dimension = static_cast<std::size_t>(map.dimension);
+    fields.displacement_m.assign(3 * points, 0.0);
+    for (std::size_t node = 0; node < points; ++node)
+        for (std::size_t i = 0; i < dimension; ++i) {
+            const auto dof = map.displacement[node * dimension + i];
+            fields.displacement_m[3 * node + i] = dof >= 0 ? all[static_cast<std::size_t>(dof)] : state_[dof];
+        }
+    if (map.pressures == 0) return fields;
+    fields.pressure_Pa.assign(points, 0.0);
+    std::vector<int> shares(points, 0);
+    for (mesh::Index cell = 0; cell < mesh.cell_count(); ++cell)
+        add_nodal_pressures(fe_, cell, all, fields.pressure_Pa, shares);
+    for (std::size_t node = 0; node < points; ++node)
+        if (shares[node] > 0) fields.pressure_Pa[node] /= shares[node];
+    return fields;
+}
+
+void Fields::spread(std::span<const double> displacement_m, Vec x) const {
+    const std::size_t points = fe_.input.mesh.points.size(), dimension = static_cast<std::size_t>(fe_.dofs.dimension);
+    std::vector<double> all(3 * points);
+    if (fe_.rank == 0) std::ranges::copy(displacement_m.first(all.size()), all.begin());
+    MPI_Bcast(all.data(), static_cast<int>(all.size()), MPI_DOUBLE, 0, fe_.comm);
+    PetscScalar* value = nullptr;
+    SOFT_PETSC(VecGetArray(x, &value));
+    for (std::size_t node = 0; node < points; ++node)
+        for (std::size_t i = 0; i < dimension; ++i) {
+            const auto dof = fe_.dofs.displacement[node * dimension + i];
+            if (dof >= fe_.dofs.begin && dof < fe_.dofs.end) value[dof - fe_.dofs.begin] = all[3 * node + i];
+        }
+    SOFT_PETSC(VecRestoreArray(x, &value));
+}
+
+}  // namespace soft::fem

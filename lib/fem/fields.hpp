@@ -1,0 +1,47 @@
+#pragma once
+/// Fields of a state: stretch and stored energy of the rubber, nodal displacements and pressures. They include the motions
+/// prescribed last. Tested by fem/system_test, fem/loads_test.
+#include <span>
+#include <vector>
+
+#include "fem/local_state.hpp"
+
+namespace soft::fem {
+
+/// Stretch and stored energy of the rubber at a state.
+struct StretchSummary {
+    double p99 = 1;  ///< largest principal stretch exceeded in 1 % of the volume
+    double largest = 1;
+    double min_jacobian = 1;
+    Vector3 max_at_m{};          ///< undeformed position of the largest stretch; x, r, 0 in a section
+    double stored_energy_J = 0;  ///< of the modelled part
+    double max_energy_J_m3 = 0;  ///< per undeformed volume, at an integration point
+};
+
+/// Nodal displacements [point x 3] (axisymmetric: x, r, 0), including prescribed ones, and pressures [point] [Pa] (cell values
+/// averaged at the nodes; empty without a pressure unknown).
+struct NodalFields {
+    std::vector<double> displacement_m, pressure_Pa;
+};
+
+class Fields {
+public:
+    /// Both must outlive this object.
+    Fields(const Discretization& fe, LocalState& state) : fe_(fe), state_(state) {}
+
+    /// Energy stored in the rubber of the modelled part [J]. Collective, as all members.
+    [[nodiscard]] double stored_energy(Vec x);
+    [[nodiscard]] StretchSummary stretches(Vec x);
+
+    /// On rank 0; empty elsewhere.
+    [[nodiscard]] NodalFields gather(Vec x) const;
+    /// The reverse: sets the displacement unknowns of x to the values of a nodal field [point x 3], which rank 0 provides;
+    /// pressures, fixed and prescribed components are unchanged.
+    void spread(std::span<const double> displacement_m, Vec x) const;
+
+private:
+    const Discretization& fe_;
+    LocalState& state_;
+};
+
+}  // namespace soft::fem

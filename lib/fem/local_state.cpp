@@ -1,0 +1,107 @@
+#include "fem/local_state.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace soft::fem {
+
+namespace {
+
+/// The unknowns that this rank reads, ascending. Rims and the outputs of whole faces, which rank 0 evaluates, reach beyond its cells.
+std::vector<PetscInt> unknowns_read(const Discretization& fe) {
+    std::vector<char> wanted(static_cast<std::size_t>(fe.dofs.total), 0);
+    const auto mark = [&](std::span<const PetscInt> dofs) {
+        for (const PetscInt dof : dofs)
+            if (dof >= 0) wanted[static_cast<std::size_t>(dof)] = 1;
+    };
+    for (const auto& group : fe.groups) mark(group.dofs);
+    std::vector<PetscInt> dofs;
+    if (fe.rank == 0)
+        for (const auto& [name, facets] : fe.input.mesh.facet_sets)
+            for (const auto& facet : facets) {
+                fe.dofs.node_dofs(mesh::facet_nodes(fe.input.mesh, facet), dofs);
+                mark(dofs);
+            }
+    dofs.clear();
+    for (std::size_t dof = 0; dof < wanted.size(); ++dof)
+        if (wanted[dof] != 0) dofs.push_back(static_cast<PetscInt>(dof));
+    return dofs;
+}
+
+}  // namespace
+
+LocalState::LocalState(const Discretization& fe)
+    : fe_(fe),
+      levels_(no_loads(fe.input)),
+      first_(1 + 3 * static_cast<PetscInt>(fe.input.motions.size())),
+      values_(static_cast<std::size_t>(first_ + fe.dofs.total), 0.0) {
+    const auto dofs = unknowns_read(fe);
+    linalg::IndexSet wanted;
+    SOFT_PETSC(ISCreateGeneral(PETSC_COMM_SELF, static_cast<PetscInt>(dofs.size()), dofs.data(), PETSC_COPY_VALUES,
+                               wanted.out()));
+    SOFT_PETSC(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, fe.dofs.total, values_.data() + first_, unknowns_.out()));
+    SOFT_PETSC(VecScatterCreate(fe.make_vector(), wanted, unknowns_, wanted, scatter_.out()));
+}
+
+void LocalState::prescribe(const LoadLevels& levels) {
+    levels_ = levels;
+    for (PetscInt slot = 0; slot < first_ - 1; ++slot) {
+        const PetscInt dof = -2 - slot;
+        values_[static_cast<std::size_t>(first_ + dof)] =
+            levels.motions[static_cast<std::size_t>(slot / 3)] * fe_.moved_by(dof);
+    }
+}
+
+void LocalState::read(Vec x) {
+    SOFT_PETSC(VecScatterBegin(scatter_, x, unknowns_, INSERT_VALUES, SCATTER_FORWARD));
+    SOFT_PETSC(VecScatterEnd(scatter_, x, unknowns_, INSERT_VALUES, SCATTER_FORWARD));
+}
+
+void LocalState::positions(const SurfaceCell& cell, std::vector<double>& x) const {
+    x = cell.X;
+    for (std::size_t k = 0; k < x.size(); ++k) x[k] += (*this)[cell.dofs[k]];
+}
+
+void gather(const Discretization& fe, const LocalState& state, const CellGroup& group, std::size_t index,
+            LocalCell& cell) {
+    const auto nodes = fe.input.mesh.cell_nodes(group.cells[index]);
+    const std::size_t n = nodes.size();
+    for (std::size_t i = 0; i * n < cell.X.size(); ++i)
+        for (std::size_t a = 0; a < n; ++a) cell.X[i * n + a] = fe.input.mesh.point(nodes[a])[i];
+    const auto dofs = group.dofs_of(index);
+    for (std::size_t k = 0; k < dofs.size(); ++k) cell.unknowns[k] = state[dofs[k]];
+}
+
+void integrate(const Discretization& fe, const LocalState& state, const CellGroup& group, std::size_t index,
+               material::Wanted wanted, LocalCell& cell) {
+    gather(fe, state, group, index, cell);
+    std::visit(
+        [&](const auto& rubber) {
+            integrate_cell(*group.reference, fe.input.kinematics, rubber, cell.input(fe.dofs.pressure_scale_Pa), wanted,
+                           cell.out);
+        },
+        *group.rubber);
+}
+
+Slopes::Slopes(const Discretization& fe, Vec by_x, std::span<double> by_motion)
+    : fe_(fe), by_x_(by_x), by_motion_(by_motion) {
+    if (by_x != nullptr) SOFT_PETSC(VecZeroEntries(by_x));
+    std::ranges::fill(by_motion, 0.0);
+}
+
+void Slopes::add(std::span<const PetscInt> dofs, std::span<const double> slope) {
+    if (by_x_ != nullptr)
+        SOFT_PETSC(VecSetValues(by_x_, static_cast<PetscInt>(dofs.size()), dofs.data(), slope.data(), ADD_VALUES));
+    for (std::size_t i = 0; i < dofs.size() && !by_motion_.empty(); ++i)
+        if (const int slot = motion_slot(dofs[i]); slot >= 0)
+            by_motion_[static_cast<std::size_t>(slot / 3)] += slope[i] * fe_.moved_by(dofs[i]);
+}
+
+void Slopes::finish() {
+    if (by_x_ != nullptr) linalg::assemble(by_x_);
+    if (!by_motion_.empty())
+        MPI_Allreduce(MPI_IN_PLACE, by_motion_.data(), static_cast<int>(by_motion_.size()), MPI_DOUBLE, MPI_SUM,
+                      fe_.comm);
+}
+
+}  // namespace soft::fem

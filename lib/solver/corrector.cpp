@@ -1,0 +1,66 @@
+#include "solver/corrector.hpp"
+
+#include <cmath>
+
+#include "solver/control.hpp"
+#include "solver/row_state.hpp"
+
+namespace soft::solver {
+
+Constraint bind(const Constraint& constraint, const PathPoint& origin) {
+    Constraint bound = constraint;
+    if (constraint.kind == ConstraintKind::arc) {
+        bound.arc_origin = origin.state.x;
+        bound.arc_direction = origin.tangent.x;
+    }
+    return bound;
+}
+
+bool Corrector::correct(const Constraint& constraint, double target, State& state) {
+    last_result_ = newton_.correct(constraint, target, state);
+    iterations_ += last_result_.iterations;
+    return last_result_.end == NewtonEnd::converged;
+}
+
+std::optional<PathPoint> Corrector::solve_at(const Frame& frame, const Constraint& constraint, double target,
+                                             State guess) {
+    if (!correct(constraint, target, guess)) return std::nullopt;
+    auto tangent = newton_.tangent(bind(frame.control, frame.last), guess);
+    if (!tangent) {
+        last_result_.end = NewtonEnd::singular;
+        return std::nullopt;
+    }
+    return measure(frame, std::move(guess), std::move(*tangent));
+}
+
+std::optional<PathPoint> Corrector::solve_between(const Frame& frame, const PathPoint& a, const PathPoint& b,
+                                                  double q) {
+    State guess = predict(&a, b, q);
+    Constraint constraint = bind(frame.control, a);
+    constraint.scale = std::abs(b.q - a.q);
+    const bool by_arc = constraint.kind == ConstraintKind::arc;
+    const double target = by_arc ? value(constraint, frame.loads, guess) : q;
+    auto point = solve_at(frame, constraint, target, std::move(guess));
+    if (point && by_arc) point->q = q;
+    return point;
+}
+
+PathPoint Corrector::measure(const Frame& frame, State state, PathTangent tangent) {
+    if (frame.control.kind == ConstraintKind::arc) scale(tangent, 1.0 / linalg::norm(tangent.x));
+    PathPoint point{std::move(state), std::move(tangent)};
+    read_values(system_, frame.loads, &frame.last, point);
+    const double length = distance(point.state.x, frame.last.state.x);
+    point.q = controlled_value(frame.control, point, frame.last.q + length);
+    return point;
+}
+
+double Corrector::value(const Constraint& constraint, const StageLoads& loads, const State& state) {
+    return evaluate(constraint, system_, loads, state, scratch_).value;
+}
+
+void Corrector::restore(const Memory& memory) {
+    last_result_ = memory.first;
+    newton_.confirm_pivots(memory.second);
+}
+
+}  // namespace soft::solver

@@ -1,0 +1,31 @@
+#pragma once
+/// What happens between two points of the path: contact, extrema of the load and of the user-selected control, bifurcations. An event
+/// is located by states between both points; nothing here changes the path. Internal to the module.
+/// Tested by solver/solver_test, solver/branch_test.
+#include "solver/corrector.hpp"
+#include "solver/path.hpp"
+
+namespace soft::solver {
+
+struct Event {
+    enum class Kind { limit_point, control_extremum, bifurcation };
+    Kind kind;
+    PathPoint point;
+    int modes = 0;                            ///< eigenvalues that pass through zero at a bifurcation
+    std::optional<linalg::Vector> mode = {};  ///< of a bifurcation, largest displacement 1
+};
+
+struct Events {
+    std::vector<Event> list;   ///< in the order of the path
+    std::string control_ends;  ///< why the user-selected control cannot continue beyond the first extremum; else empty
+};
+
+/// Walls that touch at `point`, which moves back to the last state without contact between the last row and itself.
+[[nodiscard]] std::optional<ContactEvent> find_contact(Corrector& corrector, const PathState& path,
+                                                       const Listeners& listeners, PathPoint& point);
+
+/// The events between the last row and `to`.
+[[nodiscard]] Events events_before(const PathPoint& to, Corrector& corrector, const PathState& path,
+                                   const Listeners& listeners);
+
+}  // namespace soft::solver

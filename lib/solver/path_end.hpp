@@ -1,0 +1,29 @@
+#pragma once
+/// Ends of a path that does not reach the requested load. Internal to the module. Tested by solver/solver_test, solver/visited_states_test.
+#include "solver/corrector.hpp"
+
+namespace soft::solver {
+
+/// The clause for a path that ends because of its linear solver; the caller puts the location before it.
+inline constexpr const char* linear_remedy =
+    "the linear solver does not converge; use another solver.linear or solver.preconditioner, or increase solver.linear_limit";
+
+/// The error of a path that cannot start: names solver.linear where the linear solver failed, else `problem` of the materials.
+[[nodiscard]] Error start_error(NewtonEnd end, const std::string& problem);
+
+/// Before a step: the limit of steps, or steps too short for progress. A path stalls when its last `stalled_rows` steps are together
+/// shorter than `stalled_length` of the whole path.
+inline constexpr std::size_t stalled_rows = 150;
+inline constexpr double stalled_length = 0.01;
+[[nodiscard]] std::optional<Stop> stop_before_step(const PathState& path, const model::Case& input);
+
+/// At a new row: the path has returned to states it has passed, or its goal is out of reach.
+[[nodiscard]] std::optional<Stop> stop_at_row(const PathState& path, const model::Case& input);
+
+/// Whether a cell of the last attempt is nearly inverted: the material would have failed, or the cells are too large.
+[[nodiscard]] bool is_nearly_inverted(const NewtonResult& attempt);
+
+/// After failed steps, with the location where smaller cells would help.
+[[nodiscard]] Stop stop_without_step(const PathState& path, const model::Case& input, const NewtonResult& attempt);
+
+}  // namespace soft::solver

@@ -1,0 +1,36 @@
+#pragma once
+/// Rows, checkpoints and log of a path, for its listeners. Internal to the module. Tested by solver/solver_test, solver/work_test,
+/// pipeline Resume.
+#include "solver/corrector.hpp"
+#include "solver/natural_frequencies.hpp"
+#include "solver/path.hpp"
+
+namespace soft::solver {
+
+class Recorder {
+public:
+    Recorder(Corrector& corrector, const Listeners& listeners);
+
+    /// Makes a point the next row, and sets its work since the last row.
+    void append(PathState& path, PathPoint& point);
+
+    void report_control(const PathState& path) const;
+    void keep_checkpoint(const PathState& path) const;
+
+    /// Counts from the checkpoint of an interrupted run on.
+    void resume(const model::Checkpoint& from);
+    /// The end so far with its counts.
+    [[nodiscard]] model::PathEnd end_of(const PathState& path) const;
+
+private:
+    Corrector& corrector_;
+    const Listeners& listeners_;
+    std::optional<NaturalFrequencies> frequencies_;  // of every row
+    WorkCount at_row_, before_;                      // at the last row; of the interrupted run
+};
+
+/// Restores the state after the checkpoint's last row. Throws Error (bad_input) for a checkpoint of another case or another number of
+/// ranks.
+void restore(const model::Checkpoint& from, Corrector& corrector, PathState& path);
+
+}  // namespace soft::solver

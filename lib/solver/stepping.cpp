@@ -1,0 +1,175 @@
+#include "solver/stepping.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/mesh.hpp"
+#include "solver/row_state.hpp"
+
+namespace soft::solver {
+
+namespace {
+
+/// A step whose predictor error exceeds this fraction of the step is repeated, shorter: the corrector may have
+/// converged to another branch.
+constexpr double predictor_error_limit = 0.5;
+/// A step along the tangent alone is repeated where the square of its error, an estimate of the error of the curve between its
+/// rows, exceeds this multiple of step_accuracy.
+constexpr double coarse_curve = 2.0;
+/// Below this predictor error the state belongs to the same branch.
+constexpr double predictor_error_without_jump = 0.05;
+/// On a smooth path the tangent's error falls with the step, which is cut to 0.4 between two attempts.
+constexpr double error_at_a_kink = 0.8;
+/// The curve between two rows is the cubic through them: its load error is controlled as well, with this weight.
+constexpr double load_share = 0.45;
+/// Near a limit point the load's error is relative to this fraction of the load, not to its change.
+constexpr double flat_load = 0.1;
+/// With fibres the error of the state is relative to at least this fraction of the state: each point whose fibres go taut or slack
+/// puts a kink into the path, beside which the error relative to a shorter step does not decrease.
+constexpr double min_kinked_step = 0.1;
+/// Bounds of the step-size factor from one step to the next.
+constexpr double max_growth = 2.5, growth_of_linear_steps = 100.0, min_shrink = 0.3, min_retake = 0.1;
+/// Newton iterations beyond which the step does not grow.
+constexpr int many_iterations = 7;
+/// Relative to the size of the body: a first step that moves its nodes by less, in the root mean square, is not cut further because
+/// of the load.
+constexpr double motionless = 1e-7;
+/// Times step_accuracy, relative to the state and load: a smaller predictor error does not shorten the steps. Steps with such
+/// errors are so short that the error may come from the tolerance of equilibrium where the body hardly resists a motion.
+constexpr double negligible_error = 1e-3;
+/// Value of a negligible error in units of step_accuracy, so that the next step is slightly longer.
+constexpr double accepted_share = 0.5;
+/// A fraction of a step that counts as rounding: far above the rounding of sums, far below any step.
+constexpr double sliver = 1e-6;
+
+/// A constant step under load-factor control ends on its multiples, also after a step that was cut: rows at k x first_step.
+double next_q(const PathState& path, bool constant) {
+    const double last = path.last->q, end = last + path.step;
+    if (!constant || path.control.kind != ConstraintKind::load_factor) return end;
+    const double on_grid = path.first_step * (std::floor(last / path.first_step + sliver) + 1.0);
+    const bool shortened = std::abs(path.step) < std::abs(path.first_step);
+    return shortened && std::abs(end - last) < (1.0 - sliver) * std::abs(on_grid - last) ? end : on_grid;
+}
+
+/// Factor on the step for an error that is proportional to the power order + 1 of the step.
+double factor_for(double error, double order, const model::SolverSettings& settings, const NewtonResult& result) {
+    const double factor = std::pow(settings.step_accuracy / std::max(error, 1e-12), 1.0 / order);
+    const bool is_linear = result.iterations == 0 && result.within_rounding;
+    const double bounded = std::clamp(0.9 * factor, min_shrink, is_linear ? growth_of_linear_steps : max_growth);
+    return result.iterations > many_iterations ? std::min(bounded, 0.7) : bounded;
+}
+
+}  // namespace
+
+Aim aim_of(const PathState& path, Corrector& corrector) {
+    const model::SolverSettings& settings = corrector.input().solver;
+    const bool constant = settings.steps == model::StepRule::constant;
+    const bool straight = !path.before || settings.predictor == model::Predictor::tangent;
+    const PathPoint *before = straight ? nullptr : &*path.before, &last = *path.last;
+    const double end = next_q(path, constant);
+    // With constant steps, rounding must not leave a tiny step before a goal that lies on the grid.
+    const double reach = constant ? end + sliver * (end - last.q) : end;
+    Aim aim{.crossing = first_predicted(path.goals, before, last, reach), .straight = straight};
+    aim.forecast = predict(before, last, aim.crossing ? aim.crossing->q : end);
+    aim.constraint = aim.crossing ? aim.crossing->goal->constraint : bind(path.control, last);
+    aim.target = aim.crossing ? aim.crossing->goal->target : end;
+    if (!aim.crossing) aim.constraint.scale = std::abs(constant ? end - last.q : path.step);
+    if (aim.constraint.kind == ConstraintKind::load_factor) aim.forecast.load_factor = aim.target;  // to the last digit
+    if (aim.constraint.kind == ConstraintKind::arc)
+        aim.target = corrector.value(aim.constraint, *path.loads, aim.forecast);
+    return aim;
+}
+
+State guess_of(const Aim& aim, const PathState& path, model::Predictor predictor) {
+    return copy_of(predictor == model::Predictor::none ? path.last->state : aim.forecast);
+}
+
+double PredictorError::larger() const { return std::max(state, load_share * load); }
+
+PredictorError error_of(const fem::System& system, const PathState& path, const Aim& aim, const PathPoint& point) {
+    const model::SolverSettings& settings = system.input().solver;
+    const double unknown = equilibrium_margin * settings.residual_tolerance;
+    const double error = distance(aim.forecast.x, point.state.x), change = distance(point.state.x, path.last->state.x);
+    const double size = linalg::norm(point.state.x), negligible = negligible_error * settings.step_accuracy;
+    const double step = std::max(change, system.has_fibers() ? min_kinked_step * size : 0.0);
+    const double load = std::abs(point.leading);
+    const double load_error = std::abs(leading_of(system.input(), *path.loads, aim.forecast) - point.leading);
+    const double load_step = std::max(std::abs(point.leading - path.last->leading), flat_load * load);
+    return {error > unknown * size ? error / step : 0.0, load_error > unknown * load ? load_error / load_step : 0.0,
+            error <= negligible * size && load_error <= negligible * load};
+}
+
+bool is_refused(const fem::System& system, const PathState& path, const PredictorError& error, const PathPoint& point) {
+    const auto &modes = point.tangent.unstable_modes, &modes_before = path.last->tangent.unstable_modes;
+    if (path.control.kind == ConstraintKind::load_factor && error.state > predictor_error_without_jump && modes &&
+        modes_before && *modes != *modes_before)
+        return true;
+    if (system.has_fibers() && path.control.kind == ConstraintKind::arc &&
+        path.attempts.failures < failures_before_kink) {
+        const auto before = branch_index(path, *path.last), here = branch_index(path, point);
+        if (before && here && (*before - *here) % 2 != 0) return true;
+    }
+    if (system.input().solver.steps != model::StepRule::error_adaptive) return false;
+    // At a kink of the law (fibres that become taut) the tangent is one-sided: the error does not fall with the step.
+    const auto& rejected = path.attempts.rejected_error;
+    const bool kink = rejected && error.state > error_at_a_kink * *rejected;
+    return error.state > predictor_error_limit && !kink;
+}
+
+bool shorten_for_the_curve(const fem::System& system, PathState& path, const Aim& aim, double missed, double taken) {
+    const model::SolverSettings& settings = system.input().solver;
+    const bool squared = aim.straight && settings.predictor != model::Predictor::tangent;
+    if (settings.steps != model::StepRule::error_adaptive || !squared) return false;
+    const double error = missed * missed;
+    auto& rejected = path.attempts.rejected_curve_error;
+    const bool kink = rejected && error > error_at_a_kink * *rejected;
+    if (error <= coarse_curve * settings.step_accuracy || kink) return false;
+    const double shorter = std::max(0.9 * std::sqrt(settings.step_accuracy / error), min_retake) * taken;
+    if (is_first_try(system, path, shorter))
+        path.first_step = round_step_size(shorter);
+    else if (std::abs(shorter / path.first_step) < settings.min_step)
+        return false;
+    rejected = error;
+    path.step = round_step_size(shorter);
+    return true;
+}
+
+bool is_first_try(const fem::System& system, const PathState& path, double step) {
+    if (!path.begins_stage() || system.input().solver.steps == model::StepRule::constant) return false;
+    const double unknowns = static_cast<double>(system.dofs().total);
+    const double moves = std::abs(step) * linalg::norm(path.last->tangent.x) / std::sqrt(unknowns);
+    return moves > motionless * mesh::extent_m(system.input().mesh);
+}
+
+double next_step(const model::SolverSettings& settings, const PathState& path, const Aim& aim,
+                 const PredictorError& error, const NewtonResult& result) {
+    double step = path.last->q - path.before->q;
+    switch (settings.steps) {
+        case model::StepRule::constant:  // grows back after a cut
+            return std::abs(2.0 * path.step) < std::abs(path.first_step) ? 2.0 * path.step : path.first_step;
+        case model::StepRule::iteration_adaptive: {  // Ramm 1981; Crisfield 1991 9.5.1
+            const double iterations = std::max(result.iterations, 1);
+            step *= std::clamp(std::sqrt(settings.wanted_iterations / iterations), 0.5, 2.0);
+            break;
+        }
+        case model::StepRule::error_adaptive: {
+            double missed = error.larger();
+            if (error.is_negligible) missed = std::min(missed, accepted_share * settings.step_accuracy);
+            const bool by_tangent = settings.predictor == model::Predictor::tangent;
+            // After a tangent the next predictor is the cubic: for a series with decreasing terms its error is 4 missed^3.
+            const double next = aim.straight && !by_tangent ? missed * missed : missed;
+            step *= factor_for(next, aim.straight && by_tangent ? 1.0 : 3.0, settings, result);
+        }
+    }
+    step = round_step_size(step);
+    if (!(settings.max_step > 0.0)) return step;
+    const double bound = settings.max_step * std::abs(path.last->q);
+    return std::clamp(step, -bound, bound);
+}
+
+std::optional<int> branch_index(const PathState& path, const PathPoint& point) {
+    if (!point.tangent.unstable_modes) return std::nullopt;
+    return *point.tangent.unstable_modes - (path.load_falls(point) ? 1 : 0);
+}
+
+}  // namespace soft::solver

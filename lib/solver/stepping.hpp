@@ -1,0 +1,60 @@
+#pragma once
+/// One step along the path, without what happens on it: where it aims, how well the predictor has met the state there, whether
+/// that state is accepted, and the size of the next step. Internal to the module. Tested by solver/step_rules_test, solver/kink_test.
+#include "solver/corrector.hpp"
+
+namespace soft::solver {
+
+/// Consecutive failures before a body with fibres is assumed to be at a kink of its path.
+inline constexpr int failures_before_kink = 3;
+/// Times the tolerance of equilibrium, relative to the state or load: a predictor error below the accuracy of the state itself
+/// gives no information about the step.
+inline constexpr double equilibrium_margin = 10.0;
+
+/// Target of a step: its end by the cubic (or tangent), or the first goal it reaches. The forecast is the predictor's state there,
+/// whether or not Newton's method starts from it.
+struct Aim {
+    std::optional<Crossing> crossing = {};
+    bool straight = false;  ///< predicted by the tangent, not the cubic
+    State forecast = {};
+    Constraint constraint = {};
+    double target = 0;
+};
+[[nodiscard]] Aim aim_of(const PathState& path, Corrector& corrector);
+
+/// The initial guess of Newton's method.
+[[nodiscard]] State guess_of(const Aim& aim, const PathState& path, model::Predictor predictor);
+
+/// Relative to the step: of the state, and of the leading load.
+struct PredictorError {
+    double state = 0, load = 0;
+    bool is_negligible = false;  ///< of the whole state and load
+    /// The error that the step size is chosen by.
+    [[nodiscard]] double larger() const;
+};
+[[nodiscard]] PredictorError error_of(const fem::System& system, const PathState& path, const Aim& aim,
+                                      const PathPoint& point);
+
+/// A changed inertia means another branch, unless the predictor shows that the path has just passed a bifurcation. Steps that
+/// are chosen by the predictor's error are also repeated where it is large.
+[[nodiscard]] bool is_refused(const fem::System& system, const PathState& path, const PredictorError& error,
+                              const PathPoint& point);
+
+/// Shortens the step where the curve between its rows would be far from the path, though both rows are exact: the length of the first
+/// step comes from the loads, which may lie far beyond the end of the path. False where the step was short enough. Not applied where
+/// the error does not fall with the step, at a kink.
+[[nodiscard]] bool shorten_for_the_curve(const fem::System& system, PathState& path, const Aim& aim, double error,
+                                         double taken);
+
+/// The first step comes from the requested load, which may exceed what the body can carry: it is cut as long as it still moves
+/// the body, by the root mean square of the unknowns.
+[[nodiscard]] bool is_first_try(const fem::System& system, const PathState& path, double step);
+
+/// The step after one that was accepted.
+[[nodiscard]] double next_step(const model::SolverSettings& settings, const PathState& path, const Aim& aim,
+                               const PredictorError& error, const NewtonResult& result);
+
+/// This number changes with each eigenvalue that passes through zero between two points without a limit point of the load.
+[[nodiscard]] std::optional<int> branch_index(const PathState& path, const PathPoint& point);
+
+}  // namespace soft::solver
