@@ -76,7 +76,8 @@ TEST(PlotScript, TheDashesBeginAtTheRowOfTheLimitPoint) {
     };
     const std::vector<double>& growth_mm = curve.find("growth")->values;
     EXPECT_NEAR(first_dash(limit), growth_mm[10], 1e-9);
-    EXPECT_NEAR(first_dash(with_limit({.step = 9, .pressure_Pa = 0, .volume_m3 = {}, .outputs = {0}})), growth_mm[9], 1e-9);  // the last stable row
+    EXPECT_NEAR(first_dash(with_limit({.step = 9, .pressure_Pa = 0, .volume_m3 = {}, .outputs = {0}})), growth_mm[9],
+                1e-9);                        // the last stable row
     EXPECT_GT(first_dash({}), growth_mm[9]);  // no located row: between the two rows
     EXPECT_LT(first_dash({}), growth_mm[10]);
 }
