@@ -14,6 +14,35 @@ namespace {
     throw Error(ExitCode::bad_input, key, problem, remedy);
 }
 
+/// Throws Error (bad_input) for a case that cannot move in time.
+fem::System& checked(fem::System& system) {
+    const model::Case& input = system.input();
+    if (input.path.stages.size() != 1)
+        refuse("path", "a dynamic case has a single stage", "remove path.stages or dynamics");
+    const auto& stage = input.path.stages[0];
+    for (std::size_t load = 0; load < input.loads.size(); ++load)
+        if (stage.supplies.at(load).what != model::Prescription::pressure)
+            refuse("loads." + input.loads[load].name, "a dynamic case can prescribe only pressures",
+                   "set a pressure with a time_function, or a supply line of the cavity");
+    for (const double level : stage.motions)
+        if (level != 0.0) refuse("loads", "a dynamic case cannot prescribe changing displacements", "use forces");
+    return system;
+}
+
+/// Source pressures where there are lines, else cavity pressures.
+template <class Share>
+fem::LoadLevels shared_levels(const model::Case& input, Share&& share) {
+    const auto& stage = input.path.stages[0];
+    fem::LoadLevels levels = fem::no_loads(input);
+    for (std::size_t i = 0; i < input.loads.size(); ++i)
+        levels.pressures_Pa[i] = stage.supplies[i].value * share(input.loads[i].time_function);
+    for (std::size_t i = 0; i < input.tractions.size(); ++i)
+        levels.tractions[i] = stage.tractions.at(i) * share(input.tractions[i].time_function);
+    for (std::size_t i = 0; i < input.body_forces.size(); ++i)
+        levels.body_forces[i] = stage.body_forces.at(i) * share(input.body_forces[i].time_function);
+    return levels;
+}
+
 }  // namespace
 
 const model::Dynamics& dynamics_of(const model::Case& input) {
@@ -36,46 +65,121 @@ void fill_with_waves(Vec out) {
     linalg::assemble(out);
 }
 
+fem::LoadLevels full_levels(const model::Case& input) {
+    return shared_levels(input, [](const model::TimeFunction&) { return 1.0; });
+}
+
+std::vector<double> kink_times(const model::Case& input) {
+    const double duration_s = dynamics_of(input).duration_s;
+    std::vector<double> times;
+    (void)shared_levels(input, [&](const model::TimeFunction& time_function) {
+        const auto more = kinks(time_function, duration_s);
+        times.insert(times.end(), more.begin(), more.end());
+        return 0.0;
+    });
+    std::ranges::sort(times);
+    const auto repeated = std::ranges::unique(times);
+    times.erase(repeated.begin(), repeated.end());
+    return times;
+}
+
+double shortest_change_s(const model::Case& input) {
+    const double duration_s = dynamics_of(input).duration_s;
+    double shortest = duration_s;
+    (void)shared_levels(input, [&](const model::TimeFunction& time_function) {
+        shortest = std::min(shortest, solver::shortest_change_s(time_function, duration_s));
+        return 0.0;
+    });
+    return shortest;
+}
+
+SupplyLines::SupplyLines(fem::System& system) : system_(system) {
+    const model::Case& input = system.input();
+    for (std::size_t load = 0; load < input.loads.size(); ++load) {
+        const auto& line = input.loads[load].line;
+        if (!line) continue;
+        if (!system.volumes().has_volume(load) || !(line->resistance_Pa_s_m3 > 0.0))
+            refuse("loads." + input.loads[load].name, "a supply line needs a cavity and a resistance above zero",
+                   "set line.resistance, or remove the line");
+        const double source_Pa = input.path.stages[0].supplies[load].value;
+        lines_.push_back({load, input.loads[load].gas, source_Pa, line->resistance_Pa_s_m3});
+    }
+}
+
+std::vector<double> SupplyLines::masses_at_rest_kg() const {
+    const linalg::Vector rest = system_.make_vector();
+    std::vector<double> masses;
+    for (std::size_t k = 0; k < lines_.size(); ++k)
+        masses.push_back(gas_mass_kg(lines_[k].gas, volume(k, rest, nullptr), 0.0));
+    return masses;
+}
+
+double SupplyLines::volume(std::size_t k, Vec x, Vec gradient) const {
+    return system_.volumes().of_load(lines_.at(k).load, x, gradient);
+}
+
+/// dP/dV = -n (P + a) / (V + D), dP/dm = n (P + a) / m of the polytropic gas.
+SupplyLines::GasPressure SupplyLines::pressure(std::size_t k, double volume_m3, double mass_kg) const {
+    const model::Gas& gas = lines_.at(k).gas;
+    const double value = solver::gas_pressure_Pa(gas, volume_m3, mass_kg),
+                 absolute = gas.exponent * (value + gas.ambient_Pa);
+    return {value, -absolute / (volume_m3 + gas.dead_volume_m3), absolute / mass_kg};
+}
+
+std::vector<double> SupplyLines::pressures(Vec x, std::span<const double> masses_kg) const {
+    std::vector<double> values;
+    for (std::size_t k = 0; k < lines_.size(); ++k)
+        values.push_back(pressure(k, volume(k, x, nullptr), masses_kg[k]).value_Pa);
+    return values;
+}
+
+double SupplyLines::conductance(std::size_t k) const {
+    return lines_.at(k).gas.ambient_density_kg_m3 / lines_.at(k).resistance_Pa_s_m3;
+}
+
+double SupplyLines::flow(std::size_t k, double time_s, double pressure_Pa) const {
+    const Line& line = lines_.at(k);
+    const double share =
+        share_at(system_.input().loads[line.load].time_function, dynamics_of(system_.input()).duration_s, time_s);
+    return conductance(k) * (share * line.source_Pa - pressure_Pa);
+}
+
+std::vector<double> SupplyLines::flows(double time_s, std::span<const double> pressures_Pa) const {
+    std::vector<double> values;
+    for (std::size_t k = 0; k < lines_.size(); ++k) values.push_back(flow(k, time_s, pressures_Pa[k]));
+    return values;
+}
+
+std::vector<double> SupplyLines::pressure_rates(const MotionState& state) const {
+    const linalg::Vector gradient = linalg::duplicate(state.x);
+    std::vector<double> rates;
+    for (std::size_t k = 0; k < lines_.size(); ++k) {
+        const double volume_m3 = volume(k, state.x, gradient), growth = linalg::dot(gradient, state.v);
+        const auto gas = pressure(k, volume_m3, state.masses_kg[k]);
+        rates.push_back(gas.by_volume * growth + gas.by_mass * flow(k, state.time_s, gas.value_Pa));
+    }
+    return rates;
+}
+
 MotionEquations::MotionEquations(fem::System& system, MassKind kind)
     : system_(system),
       input_(system.input()),
       dynamics_(dynamics_of(input_)),
+      lines_(checked(system)),
       mask_(fem::displacement_mask(system)),
       R_(system.make_vector()),
       load_force_(system.make_vector()),
       scratch_(system.make_vector()) {
-    check_stage();
     if (kind == MassKind::lumped && system.dofs().pressures > 0)
         refuse("dynamics.integrator",
                "explicit integrators do not support cells with pressure unknowns, which have no mass",
                "use formulation: f-bar or displacement with a bulk modulus, or an implicit integrator");
-    const auto& supplies = input_.path.stages[0].supplies;
-    for (std::size_t load = 0; load < input_.loads.size(); ++load) {
-        const auto& line = input_.loads[load].line;
-        if (!line) continue;
-        if (!system.volumes().has_volume(load) || !(line->resistance_Pa_s_m3 > 0.0))
-            refuse("loads." + input_.loads[load].name, "a supply line needs a cavity and a resistance above zero",
-                   "set line.resistance, or remove the line");
-        lines_.push_back({load, input_.loads[load].gas, supplies[load].value, line->resistance_Pa_s_m3});
-        line_forces_.push_back(system.make_vector());
-    }
+    for (std::size_t k = 0; k < lines_.count(); ++k) line_forces_.push_back(system.make_vector());
     if (kind == MassKind::lumped)
         lumped_ = fem::lumped_mass(system);
     else
         M_ = fem::consistent_mass(system);
     if (dynamics_.stiffness_damping_s != 0.0) make_damping();
-}
-
-void MotionEquations::check_stage() const {
-    if (input_.path.stages.size() != 1)
-        refuse("path", "a dynamic case has a single stage", "remove path.stages or dynamics");
-    const auto& stage = input_.path.stages[0];
-    for (std::size_t load = 0; load < input_.loads.size(); ++load)
-        if (stage.supplies.at(load).what != model::Prescription::pressure)
-            refuse("loads." + input_.loads[load].name, "a dynamic case can prescribe only pressures",
-                   "set a pressure with a time_function, or a supply line of the cavity");
-    for (const double level : stage.motions)
-        if (level != 0.0) refuse("loads", "a dynamic case cannot prescribe changing displacements", "use forces");
 }
 
 /// Removes the rows and columns of pressure unknowns: see the header.
@@ -95,119 +199,35 @@ void MotionEquations::make_damping() {
 }
 
 MotionState MotionEquations::rest() const {
-    MotionState state{0.0, system_.make_vector(), system_.make_vector(), system_.make_vector(), system_.make_vector(),
-                      {}};
-    for (const auto& line : lines_)
-        state.masses_kg.push_back(
-            solver::gas_mass_kg(line.gas, system_.volumes().of_load(line.load, state.x, nullptr), 0.0));
-    return state;
-}
-
-template <class Share>
-fem::LoadLevels MotionEquations::shared_levels(Share&& share) const {
-    const auto& stage = input_.path.stages[0];
-    fem::LoadLevels levels = fem::no_loads(input_);
-    for (std::size_t i = 0; i < input_.loads.size(); ++i)
-        levels.pressures_Pa[i] = stage.supplies[i].value * share(input_.loads[i].time_function);
-    for (std::size_t i = 0; i < input_.tractions.size(); ++i)
-        levels.tractions[i] = stage.tractions.at(i) * share(input_.tractions[i].time_function);
-    for (std::size_t i = 0; i < input_.body_forces.size(); ++i)
-        levels.body_forces[i] = stage.body_forces.at(i) * share(input_.body_forces[i].time_function);
-    return levels;
+    return {0.0,
+            system_.make_vector(),
+            system_.make_vector(),
+            system_.make_vector(),
+            system_.make_vector(),
+            lines_.masses_at_rest_kg()};
 }
 
 fem::LoadLevels MotionEquations::levels(double time_s, std::span<const double> line_pressures_Pa) const {
-    fem::LoadLevels levels = shared_levels([&](const model::TimeFunction& time_function) {
+    fem::LoadLevels levels = shared_levels(input_, [&](const model::TimeFunction& time_function) {
         return share_at(time_function, dynamics_.duration_s, time_s);
     });
-    for (std::size_t k = 0; k < lines_.size(); ++k) levels.pressures_Pa[lines_[k].load] = line_pressures_Pa[k];
+    for (std::size_t k = 0; k < lines_.count(); ++k) levels.pressures_Pa[lines_.load(k)] = line_pressures_Pa[k];
     return levels;
 }
 
 fem::LoadLevels MotionEquations::rates(double time_s, std::span<const double> line_rates) const {
-    fem::LoadLevels rates = shared_levels([&](const model::TimeFunction& time_function) {
+    fem::LoadLevels rates = shared_levels(input_, [&](const model::TimeFunction& time_function) {
         return share_rate(time_function, dynamics_.duration_s, time_s);
     });
-    for (std::size_t k = 0; k < lines_.size(); ++k) rates.pressures_Pa[lines_[k].load] = line_rates[k];
-    return rates;
-}
-
-fem::LoadLevels MotionEquations::full_levels() const {
-    return shared_levels([](const model::TimeFunction&) { return 1.0; });
-}
-
-std::vector<double> MotionEquations::kink_times() const {
-    std::vector<double> times;
-    (void)shared_levels([&](const model::TimeFunction& time_function) {
-        const auto more = kinks(time_function, dynamics_.duration_s);
-        times.insert(times.end(), more.begin(), more.end());
-        return 0.0;
-    });
-    std::ranges::sort(times);
-    const auto repeated = std::ranges::unique(times);
-    times.erase(repeated.begin(), repeated.end());
-    return times;
-}
-
-double MotionEquations::shortest_change_s() const {
-    double shortest = dynamics_.duration_s;
-    (void)shared_levels([&](const model::TimeFunction& time_function) {
-        shortest = std::min(shortest, solver::shortest_change_s(time_function, dynamics_.duration_s));
-        return 0.0;
-    });
-    return shortest;
-}
-
-double MotionEquations::line_volume(std::size_t k, Vec x, Vec gradient) {
-    return system_.volumes().of_load(lines_.at(k).load, x, gradient);
-}
-
-/// dP/dV = -n (P + a) / (V + D), dP/dm = n (P + a) / m of the polytropic gas.
-MotionEquations::GasPressure MotionEquations::gas_pressure(std::size_t k, double volume_m3, double mass_kg) const {
-    const model::Gas& gas = lines_.at(k).gas;
-    const double value = solver::gas_pressure_Pa(gas, volume_m3, mass_kg),
-                 absolute = gas.exponent * (value + gas.ambient_Pa);
-    return {value, -absolute / (volume_m3 + gas.dead_volume_m3), absolute / mass_kg};
-}
-
-std::vector<double> MotionEquations::line_pressures(Vec x, std::span<const double> masses_kg) {
-    std::vector<double> pressures;
-    for (std::size_t k = 0; k < lines_.size(); ++k)
-        pressures.push_back(gas_pressure(k, line_volume(k, x, nullptr), masses_kg[k]).value_Pa);
-    return pressures;
-}
-
-double MotionEquations::conductance(std::size_t k) const {
-    return lines_.at(k).gas.ambient_density_kg_m3 / lines_.at(k).resistance_Pa_s_m3;
-}
-
-double MotionEquations::mass_flow(std::size_t k, double time_s, double pressure_Pa) const {
-    const Line& line = lines_.at(k);
-    const double share = share_at(input_.loads[line.load].time_function, dynamics_.duration_s, time_s);
-    return conductance(k) * (share * line.source_Pa - pressure_Pa);
-}
-
-std::vector<double> MotionEquations::mass_flows(double time_s, std::span<const double> pressures_Pa) const {
-    std::vector<double> flows;
-    for (std::size_t k = 0; k < lines_.size(); ++k) flows.push_back(mass_flow(k, time_s, pressures_Pa[k]));
-    return flows;
-}
-
-std::vector<double> MotionEquations::line_rates(const MotionState& state) {
-    std::vector<double> rates;
-    for (std::size_t k = 0; k < lines_.size(); ++k) {
-        const double volume = line_volume(k, state.x, scratch_), growth = linalg::dot(scratch_, state.v);
-        const auto gas = gas_pressure(k, volume, state.masses_kg[k]);
-        rates.push_back(gas.by_volume * growth + gas.by_mass * mass_flow(k, state.time_s, gas.value_Pa));
-    }
+    for (std::size_t k = 0; k < lines_.count(); ++k) rates.pressures_Pa[lines_.load(k)] = line_rates[k];
     return rates;
 }
 
 fem::Evaluation MotionEquations::evaluate(Vec x, const fem::LoadLevels& levels, Mat K) {
     std::vector<fem::LoadColumn> columns{{levels, load_force_}};
-    for (std::size_t k = 0; k < lines_.size() && K != nullptr; ++k) {
+    for (std::size_t k = 0; k < lines_.count() && K != nullptr; ++k) {
         fem::LoadLevels unit = fem::no_loads(input_);
-        unit.pressures_Pa[lines_[k].load] = 1.0;
+        unit.pressures_Pa[lines_.load(k)] = 1.0;
         columns.push_back({std::move(unit), line_forces_[k]});
     }
     return system_.evaluate(x, levels, R_, K, columns);
@@ -234,17 +254,10 @@ void MotionEquations::add_matrices(Mat K, double by_velocity, double by_accelera
         SOFT_PETSC(MatAXPY(K, by_velocity * dynamics_.stiffness_damping_s, K0_, SAME_NONZERO_PATTERN));
 }
 
-double MotionEquations::kinetic_energy(Vec v) const {
+double kinetic_energy(const MotionEquations& equations, Vec v) {
     const linalg::Vector momentum = linalg::duplicate(v);
-    add_inertia(momentum, 1.0, v);
+    equations.add_inertia(momentum, 1.0, v);
     return 0.5 * linalg::dot(momentum, v);
-}
-
-double MotionEquations::damping_power(Vec v) const {
-    if (!has_damping()) return 0.0;
-    const linalg::Vector force = linalg::duplicate(v);
-    add_damping(force, 1.0, v);
-    return linalg::dot(force, v);
 }
 
 double MotionEquations::displacement_norm(Vec x) const {

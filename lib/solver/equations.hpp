@@ -31,6 +31,46 @@ struct MotionState {
 /// Fills `out` with entries between -1 and 1 without a pattern, which have a component along every mode.
 void fill_with_waves(Vec out);
 
+/// Levels with every time function at 1; cavities with lines have the pressure of their source.
+[[nodiscard]] fem::LoadLevels full_levels(const model::Case& input);
+/// Kinks of all time functions, ascending, and the shortest of their changes (time_function.hpp).
+[[nodiscard]] std::vector<double> kink_times(const model::Case& input);
+[[nodiscard]] double shortest_change_s(const model::Case& input);
+
+/// The supply lines of a case, k in the order of their loads; rho is the ambient density.
+class SupplyLines {
+public:
+    /// Throws Error (bad_input) for a line without a cavity or resistance.
+    explicit SupplyLines(fem::System& system);
+
+    [[nodiscard]] std::size_t count() const noexcept { return lines_.size(); }
+    [[nodiscard]] std::size_t load(std::size_t k) const { return lines_.at(k).load; }
+    /// Of the gas in the undeformed body.
+    [[nodiscard]] std::vector<double> masses_at_rest_kg() const;
+    [[nodiscard]] double volume(std::size_t k, Vec x, Vec gradient) const;
+    /// p = P(V, m) with its slopes by volume and mass.
+    struct GasPressure {
+        double value_Pa = 0, by_volume = 0, by_mass = 0;
+    };
+    [[nodiscard]] GasPressure pressure(std::size_t k, double volume_m3, double mass_kg) const;
+    [[nodiscard]] std::vector<double> pressures(Vec x, std::span<const double> masses_kg) const;
+    /// dm/dt [kg/s]; conductance is -d(dm/dt)/dp.
+    [[nodiscard]] double flow(std::size_t k, double time_s, double pressure_Pa) const;
+    [[nodiscard]] double conductance(std::size_t k) const;
+    [[nodiscard]] std::vector<double> flows(double time_s, std::span<const double> pressures_Pa) const;
+    /// Time derivative of the pressures behind the lines at a state.
+    [[nodiscard]] std::vector<double> pressure_rates(const MotionState& state) const;
+
+private:
+    struct Line {
+        std::size_t load;
+        model::Gas gas;
+        double source_Pa, resistance_Pa_s_m3;
+    };
+    fem::System& system_;
+    std::vector<Line> lines_;
+};
+
 enum class MassKind { consistent, lumped };
 
 class MotionEquations {
@@ -41,29 +81,11 @@ public:
     [[nodiscard]] MotionState rest() const;
 
     // Loads
-    [[nodiscard]] std::size_t line_count() const noexcept { return lines_.size(); }
     [[nodiscard]] fem::LoadLevels levels(double time_s, std::span<const double> line_pressures_Pa) const;
     /// d levels/dt; `line_rates`: of the pressures behind the lines [Pa/s].
     [[nodiscard]] fem::LoadLevels rates(double time_s, std::span<const double> line_rates) const;
-    /// Levels with every time function at 1; cavities with lines have the pressure of their source.
-    [[nodiscard]] fem::LoadLevels full_levels() const;
-    [[nodiscard]] std::vector<double> kink_times() const;
-    [[nodiscard]] double shortest_change_s() const;
 
-    // Lines
-    [[nodiscard]] double line_volume(std::size_t k, Vec x, Vec gradient);
-    /// p = P(V, m) with its slopes by volume and mass.
-    struct GasPressure {
-        double value_Pa = 0, by_volume = 0, by_mass = 0;
-    };
-    [[nodiscard]] GasPressure gas_pressure(std::size_t k, double volume_m3, double mass_kg) const;
-    [[nodiscard]] std::vector<double> line_pressures(Vec x, std::span<const double> masses_kg);
-    /// dm/dt [kg/s]; conductance is -d(dm/dt)/dp.
-    [[nodiscard]] double mass_flow(std::size_t k, double time_s, double pressure_Pa) const;
-    [[nodiscard]] double conductance(std::size_t k) const;
-    [[nodiscard]] std::vector<double> mass_flows(double time_s, std::span<const double> pressures_Pa) const;
-    /// Time derivative of the pressures behind the lines at a state.
-    [[nodiscard]] std::vector<double> line_rates(const MotionState& state);
+    [[nodiscard]] const SupplyLines& lines() const noexcept { return lines_; }
 
     // Forces
     /// Fills residual() with R and load_force(); if K is given, also K with the tangent and line_force() (1 Pa in each line).
@@ -78,10 +100,6 @@ public:
     [[nodiscard]] bool has_damping() const noexcept {
         return dynamics_.mass_damping_1_s != 0.0 || dynamics_.stiffness_damping_s != 0.0;
     }
-    /// For the modelled part [J], [W].
-    [[nodiscard]] double kinetic_energy(Vec v) const;
-    [[nodiscard]] double damping_power(Vec v) const;
-
     [[nodiscard]] Vec lumped_mass() const { return lumped_; }
     [[nodiscard]] Vec mask() const { return mask_; }
     /// Euclidean norm of the displacement unknowns.
@@ -90,24 +108,18 @@ public:
     [[nodiscard]] const model::Dynamics& dynamics() const noexcept { return dynamics_; }
 
 private:
-    struct Line {
-        std::size_t load;
-        model::Gas gas;
-        double source_Pa, resistance_Pa_s_m3;
-    };
-    void check_stage() const;
     void make_damping();
-    /// Source pressures where there are lines, else cavity pressures.
-    template <class Share>
-    [[nodiscard]] fem::LoadLevels shared_levels(Share&& share) const;
 
     fem::System& system_;
     const model::Case& input_;
     const model::Dynamics& dynamics_;
-    std::vector<Line> lines_;
+    SupplyLines lines_;
     linalg::Matrix M_, K0_;  // M_ for consistent mass, K0_ for stiffness damping
     linalg::Vector lumped_, mask_, R_, load_force_, scratch_;
     std::vector<linalg::Vector> line_forces_;
 };
+
+/// Of the modelled part [J].
+[[nodiscard]] double kinetic_energy(const MotionEquations& equations, Vec v);
 
 }  // namespace soft::solver

@@ -42,7 +42,7 @@ double longest_stable_step_s(model::Integrator integrator, const model::Dynamics
 }
 
 fem::Evaluation explicit_acceleration(MotionEquations& equations, MotionState& state) {
-    const auto pressures = equations.line_pressures(state.x, state.masses_kg);
+    const auto pressures = equations.lines().pressures(state.x, state.masses_kg);
     const auto evaluation = equations.evaluate(state.x, equations.levels(state.time_s, pressures), nullptr);
     linalg::copy(equations.load_force(), state.load_force);
     linalg::copy(equations.residual(), state.a);
@@ -65,9 +65,9 @@ StepResult CentralDifference::attempt(const MotionState& last, double step_s, Mo
     next.time_s = last.time_s + h;
     // Heun's method for the gas masses.
     next.masses_kg = last.masses_kg;
-    const auto before = equations_.mass_flows(last.time_s, equations_.line_pressures(last.x, last.masses_kg));
+    const auto before = equations_.lines().flows(last.time_s, equations_.lines().pressures(last.x, last.masses_kg));
     for (std::size_t k = 0; k < before.size(); ++k) next.masses_kg[k] += h * before[k];
-    const auto after = equations_.mass_flows(next.time_s, equations_.line_pressures(next.x, next.masses_kg));
+    const auto after = equations_.lines().flows(next.time_s, equations_.lines().pressures(next.x, next.masses_kg));
     for (std::size_t k = 0; k < before.size(); ++k)
         next.masses_kg[k] = last.masses_kg[k] + 0.5 * h * (before[k] + after[k]);
     const auto evaluation = explicit_acceleration(equations_, next);
@@ -94,12 +94,13 @@ StableStep::StableStep(MotionEquations& equations, model::Integrator integrator)
 }
 
 double StableStep::estimate(const MotionState& state) {
-    const auto pressures = equations_.line_pressures(state.x, state.masses_kg);
+    const auto pressures = equations_.lines().pressures(state.x, state.masses_kg);
     (void)equations_.evaluate(state.x, equations_.levels(state.time_s, pressures), K_);
     double square = 0;
     for (int i = 0; i < power_iterations; ++i) {
         SOFT_PETSC(MatMult(K_, mode_, image_));
-        const double next = 0.5 * linalg::dot(mode_, image_) / equations_.kinetic_energy(mode_);  // Rayleigh's quotient
+        const double next =
+            0.5 * linalg::dot(mode_, image_) / kinetic_energy(equations_, mode_);  // Rayleigh's quotient
         SOFT_PETSC(VecPointwiseDivide(image_, image_, equations_.lumped_mass()));
         SOFT_PETSC(VecScale(image_, 1.0 / linalg::norm(image_)));
         std::swap(mode_, image_);

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <locale>
-#include <sstream>
 
 #include "core/error.hpp"
+#include "solver/path_text.hpp"
 
 namespace soft::solver {
 
@@ -57,17 +56,10 @@ std::optional<Crossing> first_reached(const std::vector<Goal>& goals, const Path
     return first;
 }
 
-std::string with_unit(double value, double factor, const std::string& unit) {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << value * factor << unit;
-    return text.str();
-}
-
 Goal pressure_goal(const model::Case& input, const StageLoads& loads, double value, const std::string& key) {
     if (model::leading_load(input) != model::LeadingLoad::pressure)
         throw Error(ExitCode::bad_input, key, "the case has no pressure load", "set loads.cavity.pressure");
-    const std::string text = "pressure of " + with_unit(value, 1e-3, " kPa");
+    const std::string text = "pressure of " + short_text(value * 1e-3) + " kPa";
     const auto& free = loads.free_supplies();
     if (!free.empty() && free.front() == 0) return {{ConstraintKind::pressure}, value, text};
     const double rate = loads.rate().pressures_Pa[0];
@@ -85,7 +77,7 @@ Goal make_goal(const model::Case& input, const model::Until& until, const StageL
             throw Error(ExitCode::bad_input, key, "no cavity is loaded", "remove this goal, or load a cavity");
         return {{ConstraintKind::volume},
                 until.value * undeformed_volumes_m3[0],
-                "volume ratio of " + with_unit(until.value, 1.0, "")};
+                "volume ratio of " + short_text(until.value)};
     }
     const auto output = std::ranges::find(input.outputs, until.quantity, &model::Output::name);
     if (output == input.outputs.end())
@@ -95,7 +87,7 @@ Goal make_goal(const model::Case& input, const model::Until& until, const StageL
     constraint.index = static_cast<std::size_t>(output - input.outputs.begin());
     const model::MeasureUnit& unit = model::unit_of(output->measure);
     return {constraint, until.value,
-            until.quantity + " of " + with_unit(until.value, 1.0 / unit.SI_per_shown, " " + std::string{unit.shown})};
+            until.quantity + " of " + short_text(until.value / unit.SI_per_shown) + " " + std::string{unit.shown}};
 }
 
 }  // namespace

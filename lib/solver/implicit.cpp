@@ -32,7 +32,7 @@ constexpr int start_solves = 3;       // each reduces the error to 1e-8 (w h)^2 
 /// s^2 M d + (pressures) = f, with the pressure rows K_pu d + K_pp p = 0.
 bool start_acceleration(MotionEquations& equations, StageSolver& solver, double step_s, MotionState& state) {
     const double square = 1.0 / std::pow(start_share * step_s, 2);
-    const auto levels = equations.levels(state.time_s, equations.line_pressures(state.x, state.masses_kg));
+    const auto levels = equations.levels(state.time_s, equations.lines().pressures(state.x, state.masses_kg));
     if (!solver.factorize(state.x, levels, 0.0, square)) return false;
     linalg::Vector force = linalg::duplicate(state.x), dx = linalg::duplicate(state.x),
                    moved = linalg::duplicate(state.x), right = linalg::duplicate(state.x);
@@ -41,7 +41,7 @@ bool start_acceleration(MotionEquations& equations, StageSolver& solver, double 
     SOFT_PETSC(VecScale(force, -1.0));
     linalg::copy(equations.load_force(), state.load_force);
     (void)solver.read_volumes(state.x);
-    const std::vector<LineRow> fixed_pressures(equations.line_count());
+    const std::vector<LineRow> fixed_pressures(equations.lines().count());
     std::vector<double> dp;
     for (int i = 0; i < start_solves; ++i) {
         SOFT_PETSC(MatMult(solver.matrix(), moved, right));
@@ -83,7 +83,7 @@ GeneralizedAlpha::GeneralizedAlpha(MotionEquations& equations, StageSolver& solv
 
 void GeneralizedAlpha::start(const MotionState& state) {
     linalg::copy(state.a, w_);
-    flow_w_ = equations_.mass_flows(state.time_s, equations_.line_pressures(state.x, state.masses_kg));
+    flow_w_ = equations_.lines().flows(state.time_s, equations_.lines().pressures(state.x, state.masses_kg));
     next_flow_w_ = flow_w_;
 }
 
@@ -105,8 +105,8 @@ StepResult GeneralizedAlpha::attempt(const MotionState& last, double step_s, Mot
     const double flow_part = h * p_.gamma / (1.0 - p_.alpha_m);
     map.flow_share = flow_part * (1.0 - p_.alpha_f);
     std::vector<double> flows;
-    if (equations_.line_count() > 0)
-        flows = equations_.mass_flows(last.time_s, equations_.line_pressures(last.x, last.masses_kg));
+    if (equations_.lines().count() > 0)
+        flows = equations_.lines().flows(last.time_s, equations_.lines().pressures(last.x, last.masses_kg));
     for (std::size_t k = 0; k < flows.size(); ++k)
         map.masses_kg[k] +=
             h * (1.0 - p_.gamma) * flow_w_[k] + flow_part * (p_.alpha_f * flows[k] - p_.alpha_m * flow_w_[k]);
@@ -143,7 +143,7 @@ StepResult Dirk::attempt(const MotionState& last, double step_s, MotionState& ne
     const double h = step_s;
     linalg::copy(last.v, velocities_[0]);
     linalg::copy(last.a, accelerations_[0]);
-    flows_[0] = equations_.mass_flows(last.time_s, equations_.line_pressures(last.x, last.masses_kg));
+    flows_[0] = equations_.lines().flows(last.time_s, equations_.lines().pressures(last.x, last.masses_kg));
     linalg::Vector pressures = linalg::duplicate(last.x), displacements = linalg::duplicate(last.x);
     SOFT_PETSC(VecPointwiseMult(displacements, equations_.mask(), last.x));
     SOFT_PETSC(VecWAXPY(pressures, -1.0, displacements, last.x));

@@ -102,7 +102,7 @@ void MotionFollower::start() {
     make_method();
     (void)equations_.evaluate(last_.x, fem::no_loads(input_), nullptr);
     const double own = linalg::norm(equations_.residual());
-    (void)equations_.evaluate(last_.x, equations_.full_levels(), nullptr);
+    (void)equations_.evaluate(last_.x, full_levels(input_), nullptr);
     is_free_of_stress_ = own <= hardly_stressed * linalg::norm(equations_.load_force());
     choose_first_step();
     if (explicit_)
@@ -125,8 +125,8 @@ void MotionFollower::choose_first_step() {
         step_s_ = std::min(dynamics_.step_s, duration);
         row_interval_s_ = step_s_ * std::ceil(std::ceil(duration / step_s_ * (1.0 - same_time)) / intervals);
     } else {
-        kinks_ = equations_.kink_times();
-        step_s_ = round_step_size(first_share * equations_.shortest_change_s());
+        kinks_ = kink_times(input_);
+        step_s_ = round_step_size(first_share * shortest_change_s(input_));
     }
     if (explicit_) {
         update_stable_step();
@@ -137,10 +137,10 @@ void MotionFollower::choose_first_step() {
                         "use at most " + short_text(stable_share * stable_step_s_) + " s, or remove the key");
     } else if (!is_constant()) {
         if (!stage_->factorize(last_.x, fem::no_loads(input_), 0.0, 1.0 / (duration * duration))) return;
-        (void)equations_.evaluate(last_.x, equations_.full_levels(), nullptr);
+        (void)equations_.evaluate(last_.x, full_levels(input_), nullptr);
         const linalg::Vector force = copy_of(equations_.load_force()), response = linalg::duplicate(last_.x);
         std::vector<double> none;
-        if (stage_->solve_linear(force, std::vector<LineRow>(equations_.line_count()), response, none))
+        if (stage_->solve_linear(force, std::vector<LineRow>(equations_.lines().count()), response, none))
             size_ = size_share * equations_.displacement_norm(response);
     }
     first_step_s_ = step_s_;

@@ -26,8 +26,8 @@ solver::PathPoint MotionFollower::measure() {
     velocity.x = copy_of(last_.v);
     velocity.load_factor = 1.0 / dynamics_.duration_s;
     solver::PathPoint point{{copy_of(last_.x), last_.time_s / dynamics_.duration_s, {}}, std::move(velocity)};
-    const auto levels = equations_.levels(last_.time_s, equations_.line_pressures(last_.x, last_.masses_kg));
-    const auto rates = equations_.rates(last_.time_s, equations_.line_rates(last_));
+    const auto levels = equations_.levels(last_.time_s, equations_.lines().pressures(last_.x, last_.masses_kg));
+    const auto rates = equations_.rates(last_.time_s, equations_.lines().pressure_rates(last_));
     solver::read_values(system_, levels, rates, last_row_ ? &*last_row_ : nullptr, point);
     return point;
 }
@@ -40,7 +40,7 @@ void MotionFollower::append() {
     step.factorizations = factorizations - factorizations_at_row_;
     const double whole = 1.0 / input_.model_fraction;
     const double stored_J = solver::read_stretches(system_, last_.x, step);
-    step.motion = {last_.time_s, whole * equations_.kinetic_energy(last_.v), whole * stored_J, whole * load_work_J_,
+    step.motion = {last_.time_s, whole * kinetic_energy(equations_, last_.v), whole * stored_J, whole * load_work_J_,
                    whole * damping_work_J_};
     if (auto problem = check_plausibility(step)) return finish(model::StopReason::diverged, std::move(*problem));
     iterations_since_row_ = 0;

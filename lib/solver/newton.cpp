@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "mesh/mesh.hpp"
-
 namespace soft::solver {
 
 namespace {
@@ -41,6 +39,20 @@ std::string_view text_of(NewtonEnd end) {
     return "";
 }
 
+Newton::Newton(fem::System& system, const model::SolverSettings& settings)
+    : bordered_(system, settings), correction_(system.make_vector()) {
+    if (settings.newton != model::NewtonMethod::bfgs) return;
+    minus_R_before_ = system.make_vector();
+    load_change_ = system.make_vector();
+}
+
+void Newton::set_loads(const StageLoads& loads) {
+    bordered_.set_loads(loads);
+    const fem::System& system = bordered_.system;
+    if (rounding_N_ == 0.0)
+        rounding_N_ = bordered_.change_by_digits({system.make_vector(), 0.0, {}}, fem::no_loads(system.input()));
+}
+
 void scale(PathTangent& tangent, double factor) {
     SOFT_PETSC(VecScale(tangent.x, factor));
     tangent.load_factor *= factor;
@@ -51,10 +63,11 @@ void scale(PathTangent& tangent, double factor) {
 /// Where fibres become slack or taut, K jumps and |R| may rise along a sequence of full steps that converges in the end (Newton's
 /// method for semismooth equations: Qi and Sun, Math. Programming 58 (1993) 353). Full steps are tried before the correction fails.
 NewtonResult Newton::correct(const Constraint& constraint, double target, State& state) {
-    const bool may_jump = settings_.line_search == model::LineSearch::backtracking && system_.has_fibers();
-    if (!may_jump) return correct_by(settings_.line_search, constraint, target, state);
+    const bool may_jump =
+        bordered_.settings.line_search == model::LineSearch::backtracking && bordered_.system.has_fibers();
+    if (!may_jump) return correct_by(bordered_.settings.line_search, constraint, target, state);
     State again = copy_of(state);
-    NewtonResult result = correct_by(settings_.line_search, constraint, target, state);
+    NewtonResult result = correct_by(bordered_.settings.line_search, constraint, target, state);
     if (result.end != NewtonEnd::no_descent) return result;
     const NewtonResult second = correct_by(model::LineSearch::none, constraint, target, again);
     if (second.end == NewtonEnd::converged) {
@@ -73,9 +86,9 @@ NewtonResult Newton::correct_by(model::LineSearch line_search, const Constraint&
                                 State& state) {
     Correction now;
     now.line_search = line_search;
-    factor_is_recent_ = linear_limit_met_ = false;
+    bordered_.factor_is_recent = linear_limit_met_ = false;
     updates_.clear();
-    now.evaluation = evaluate_at(state);
+    now.evaluation = bordered_.evaluate_at(state);
     const auto report = [&](NewtonEnd end) {
         const bool inexact = linear_limit_met_ && (end == NewtonEnd::iteration_limit || end == NewtonEnd::no_descent);
         now.result.end = inexact ? NewtonEnd::linear_solver : end;
@@ -85,19 +98,21 @@ NewtonResult Newton::correct_by(model::LineSearch line_search, const Constraint&
     };
     if (!now.evaluation.admissible()) return report(NewtonEnd::inverted);
     State trial = copy_of(state);
-    now.residual = linalg::norm(R_);
+    now.residual = linalg::norm(bordered_.R);
     now.first_force_scale = now.evaluation.force_scale;
-    now.constraint_tolerance = settings_.residual_tolerance * std::max(std::abs(target), constraint.scale);
+    now.constraint_tolerance = bordered_.settings.residual_tolerance * std::max(std::abs(target), constraint.scale);
     if (constraint.kind == ConstraintKind::arc)  // a short arc is a small difference of large numbers
         now.constraint_tolerance =
             std::max(now.constraint_tolerance, std::numeric_limits<double>::epsilon() * linalg::norm(state.x));
     for (;;) {
-        evaluate_rows(constraint, state);
-        now.missing = remaining(constraint, system_.input(), target, constraint_.value);
-        now.loads_stay = constraint.kind == ConstraintKind::load_factor && supply_.empty() && now.missing == 0.0;
+        bordered_.evaluate_rows(constraint, state);
+        now.missing = remaining(constraint, bordered_.system.input(), target, bordered_.constraint.value);
+        now.loads_stay =
+            constraint.kind == ConstraintKind::load_factor && bordered_.supply.empty() && now.missing == 0.0;
         if (const auto end = check_convergence(state, now)) {
             // A kept factor has the inertia of the state at the start of the correction.
-            if (settings_.newton != model::NewtonMethod::full && now.result.iterations > 1) factor_is_recent_ = false;
+            if (bordered_.settings.newton != model::NewtonMethod::full && now.result.iterations > 1)
+                bordered_.factor_is_recent = false;
             return report(*end);
         }
         ++now.result.iterations;
@@ -110,48 +125,27 @@ NewtonResult Newton::correct_by(model::LineSearch line_search, const Constraint&
         if (found.end != SearchEnd::found)
             return report(found.end == SearchEnd::inverted ? NewtonEnd::inverted : NewtonEnd::no_descent);
         now.residual = found.trial.residual;
-        if (settings_.newton == model::NewtonMethod::bfgs) add_secant_pair(found.length);
+        if (bordered_.settings.newton == model::NewtonMethod::bfgs) add_secant_pair(found.length);
         std::swap(state, trial);
     }
 }
 
 /// How the correction ends at the state last evaluated; nullopt if it continues.
 std::optional<NewtonEnd> Newton::check_convergence(const State& state, Correction& now) {
-    const double load_scale = std::abs(state.load_factor) * linalg::norm(wanted_.back().out);
+    const double load_scale = std::abs(state.load_factor) * linalg::norm(bordered_.forces.back().out);
     const double scale = std::max({now.evaluation.force_scale, load_scale, vanishing_forces * now.first_force_scale});
     now.result.residual = scale > 0.0 ? now.residual / scale : 0.0;
-    const double wanted = settings_.residual_tolerance * scale;
+    const double wanted = bordered_.settings.residual_tolerance * scale;
     now.aim = std::max(wanted, rounding_margin * rounding_N_);
     now.result.within_rounding = now.aim > wanted;
-    const bool supplied = std::ranges::all_of(supply_, [&](const SupplyEquation& equation) {
-        return std::abs(equation.value) <= settings_.residual_tolerance;
+    const bool supplied = std::ranges::all_of(bordered_.supply, [&](const SupplyEquation& equation) {
+        return std::abs(equation.value) <= bordered_.settings.residual_tolerance;
     });
     if (!std::isfinite(now.residual) || !std::isfinite(now.missing)) return NewtonEnd::not_finite;
     if (now.residual <= now.aim && supplied && std::abs(now.missing) <= now.constraint_tolerance)
         return NewtonEnd::converged;
-    if (now.result.iterations == settings_.newton_limit) return NewtonEnd::iteration_limit;
+    if (now.result.iterations == bordered_.settings.newton_limit) return NewtonEnd::iteration_limit;
     return std::nullopt;
-}
-
-/// F = I + grad u is rounded like positions are: the last digit is that of a displacement of the cell's size.
-double Newton::change_by_digits(const State& state, const fem::LoadLevels& levels) {
-    const model::Case& input = system_.input();
-    const double nodes = static_cast<double>(input.mesh.points.size());
-    const double cell_m = mesh::extent_m(input.mesh) / std::pow(nodes, 1.0 / input.mesh.dimension);
-    const linalg::Vector nearby = copy_of(state.x);
-    for (PetscInt i = system_.dofs().begin; i < system_.dofs().end; ++i) {
-        double value = 0;
-        SOFT_PETSC(VecGetValues(state.x, 1, &i, &value));
-        const double digit = std::numeric_limits<double>::epsilon() * (std::abs(value) + cell_m);
-        SOFT_PETSC(VecSetValue(nearby, i, value + (i % 3 == 0 ? -digit : digit), INSERT_VALUES));
-    }
-    linalg::assemble(nearby);
-    static_cast<void>(system_.evaluate(state.x, levels, R_, nullptr));
-    const linalg::Vector change = copy_of(R_);
-    static_cast<void>(system_.evaluate(nearby, levels, R_, nullptr));
-    linalg::add(change, -1.0, R_);
-    assembled_at_.reset();
-    return linalg::norm(change);
 }
 
 /// Whether the residual is no larger than its change when the unknowns change in their last digits: then the state is as close to
@@ -159,71 +153,74 @@ double Newton::change_by_digits(const State& state, const fem::LoadLevels& level
 /// this change exceeds the tolerance.
 bool Newton::is_rounding(const State& state, const Correction& now) {
     if (std::abs(now.missing) > now.constraint_tolerance) return false;
-    const auto levels = loads_->levels(state.load_factor, state.pressures_Pa);
-    return now.residual <= rounding_margin * change_by_digits(state, levels);
+    const auto levels = bordered_.loads().levels(state.load_factor, state.pressures_Pa);
+    return now.residual <= rounding_margin * bordered_.change_by_digits(state, levels);
 }
 
 linalg::LinearSolve Newton::solve_updated(Vec b, Vec x) {
     linalg::LinearSolve last;
     const bool usable = updates_.apply(b, x, [&](Vec q, Vec r) {
-        last = solver_.solve(q, r);
+        last = bordered_.linear.solve(q, r);
         linear_limit_met_ = linear_limit_met_ || last.at_limit;
         return last.usable();
     });
     return usable ? last : linalg::LinearSolve{};
 }
 
-/// Solves for a = K^-1 (-R) and the columns, with a new K or that of the first iteration. R_ is -R afterwards.
+/// Solves for a = K^-1 (-R) and the columns, with a new K or that of the first iteration. R is -R afterwards.
 std::optional<NewtonEnd> Newton::solve_blocks(const State& state, const Correction& now) {
     linear_limit_met_ = false;
-    const bool full = settings_.newton == model::NewtonMethod::full;
+    const bool full = bordered_.settings.newton == model::NewtonMethod::full;
     if (full && now.result.iterations > 1 && solve_with_kept_factor(now)) return std::nullopt;
     if (full || now.result.iterations == 1) {
-        if (const auto failed = linearize(state)) return failed;
+        bordered_.differentiate(state);
+        if (const auto failed = bordered_.factorize()) return failed;
         residual_at_factor_ = now.residual;
     }
-    SOFT_PETSC(VecScale(R_, -1.0));
-    if (!solve_all(now, [this](Vec b, Vec x) { return solve_updated(b, x); })) return solve_failure();
+    SOFT_PETSC(VecScale(bordered_.R, -1.0));
+    if (!solve_all(now, [this](Vec b, Vec x) { return solve_updated(b, x); })) return bordered_.solve_failure();
     return std::nullopt;
 }
 
-bool Newton::solve_all(const Correction& now, const SolveOne& solve) {
-    return solve(R_, correction_).usable() && (now.loads_stay || solve_columns(solve));
+bool Newton::solve_all(const Correction& now, const BorderedSystem::SolveOne& solve) {
+    return solve(bordered_.R, correction_).usable() && (now.loads_stay || bordered_.solve_columns(solve));
 }
 
-/// K_ is that of this iteration, the factor that of an earlier one.
+/// K is that of this iteration, the factor that of an earlier one.
 bool Newton::solve_with_kept_factor(const Correction& now) {
-    if (!factor_is_recent_ || differences_ || !solver_.is_direct() || now.residual > little_left * residual_at_factor_)
+    if (!bordered_.factor_is_recent || bordered_.uses_differences() || !bordered_.linear.is_direct() ||
+        now.residual > little_left * residual_at_factor_)
         return false;
     const double enough =
         now.residual > 0.0 ? share_of_linear_solves * now.aim / now.residual : loosest_linear_tolerance;
     const double tolerance = std::min(enough, loosest_linear_tolerance);
-    SOFT_PETSC(VecScale(R_, -1.0));
+    SOFT_PETSC(VecScale(bordered_.R, -1.0));
     const bool served = solve_all(now, [&](Vec b, Vec x) {
-        const auto solve = solver_.solve_to_tolerance(b, x, tolerance);
+        const auto solve = bordered_.linear.solve_to_tolerance(b, x, tolerance);
         return solve.iterations <= many_iterations_for_a_kept_factor ? solve : linalg::LinearSolve{};
     });
-    if (!served) SOFT_PETSC(VecScale(R_, -1.0));
+    if (!served) SOFT_PETSC(VecScale(bordered_.R, -1.0));
     return served;
 }
 
 /// Solves the border system; nullopt where it is singular.
 std::optional<Newton::Increment> Newton::increment(const Correction& now) {
     if (now.loads_stay) return Increment{{0.0}, now.residual};
-    fill_border();
+    bordered_.fill_border();
     std::vector<double> wanted;  // the right-hand side of the rows, then less the contribution of `a`
-    for (const auto& equation : supply_) wanted.push_back(-equation.value);
+    for (const auto& equation : bordered_.supply) wanted.push_back(-equation.value);
     wanted.push_back(now.missing);
-    const auto far = linalg::solve(border_, wanted);
-    const auto done = rows_times(correction_);
+    const auto far = linalg::solve(bordered_.border, wanted);
+    const auto done = bordered_.rows_times(correction_);
     for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] -= done[i];
-    auto step = linalg::solve(border_, wanted);
+    auto step = linalg::solve(bordered_.border, wanted);
     if (!far || !step) return std::nullopt;
     // What remains, as a force: the residual, and the loads that bring the rows to their targets.
     double pending = now.residual;
     for (std::size_t j = 0; j < far->size(); ++j)
-        pending = std::hypot(pending, (*far)[j] * linalg::norm(wanted_[j].out));
-    for (std::size_t j = 0; j < step->size(); ++j) linalg::add(correction_, (*step)[j], columns_[j]);  // now dx
+        pending = std::hypot(pending, (*far)[j] * linalg::norm(bordered_.forces[j].out));
+    for (std::size_t j = 0; j < step->size(); ++j)
+        linalg::add(correction_, (*step)[j], bordered_.columns[j]);  // now dx
     return Increment{std::move(*step), pending};
 }
 
@@ -232,38 +229,40 @@ Search Newton::move(const Increment& step, const State& state, State& trial, Cor
     const auto work_of_loads = [&] {
         double work = 0;
         for (std::size_t j = 0; j < step.loads.size(); ++j)
-            work += step.loads[j] * linalg::dot(wanted_[j].out, correction_);
+            work += step.loads[j] * linalg::dot(bordered_.forces[j].out, correction_);
         return work;
     };
     const bool slopes = now.line_search == model::LineSearch::secant;
     SearchStart start{step.pending, now.result.iterations == 1 ? first_iteration_rise : 1.0, 0.0};
-    if (slopes) start.slope = -linalg::dot(R_, correction_) - work_of_loads();
-    if (settings_.newton == model::NewtonMethod::bfgs) {
-        linalg::copy(R_, minus_R_before_);
+    if (slopes) start.slope = -linalg::dot(bordered_.R, correction_) - work_of_loads();
+    if (bordered_.settings.newton == model::NewtonMethod::bfgs) {
+        linalg::copy(bordered_.R, minus_R_before_);
         SOFT_PETSC(VecZeroEntries(load_change_));
-        for (std::size_t j = 0; j < step.loads.size(); ++j) linalg::add(load_change_, step.loads[j], wanted_[j].out);
+        for (std::size_t j = 0; j < step.loads.size(); ++j)
+            linalg::add(load_change_, step.loads[j], bordered_.forces[j].out);
     }
-    const Assemble what = settings_.newton == model::NewtonMethod::full ? Assemble::tangent : Assemble::forces;
+    const auto what = bordered_.settings.newton == model::NewtonMethod::full ? BorderedSystem::Assemble::tangent
+                                                                             : BorderedSystem::Assemble::forces;
     return search(now.line_search, start, [&](double length) {
         linalg::copy(state.x, trial.x);
         linalg::add(trial.x, length, correction_);
         trial.load_factor = state.load_factor + length * step.loads.back();
         for (std::size_t k = 0; k < trial.pressures_Pa.size(); ++k)
             trial.pressures_Pa[k] = state.pressures_Pa[k] + length * step.loads[k];
-        now.evaluation = evaluate_at(trial, what);
+        now.evaluation = bordered_.evaluate_at(trial, what);
         if (!now.evaluation.admissible()) return Trial{.admissible = false};
         const double floor =
-            std::max(settings_.residual_tolerance * now.evaluation.force_scale, rounding_margin * rounding_N_);
-        Trial there{true, linalg::norm(R_), floor, 0.0};
+            std::max(bordered_.settings.residual_tolerance * now.evaluation.force_scale, rounding_margin * rounding_N_);
+        Trial there{true, linalg::norm(bordered_.R), floor, 0.0};
         // R is linear in the loads: those not yet applied are added without another evaluation.
-        if (slopes) there.slope = linalg::dot(R_, correction_) - (1.0 - length) * work_of_loads();
+        if (slopes) there.slope = linalg::dot(bordered_.R, correction_) - (1.0 - length) * work_of_loads();
         return there;
     });
 }
 
 /// Adds the secant pair of a correction that was applied with `length`.
 void Newton::add_secant_pair(double length) {
-    linalg::Vector s = linalg::duplicate(R_), y = copy_of(R_);
+    linalg::Vector s = linalg::duplicate(bordered_.R), y = copy_of(bordered_.R);
     linalg::add(s, length, correction_);
     linalg::add(y, 1.0, minus_R_before_);
     linalg::add(y, length, load_change_);

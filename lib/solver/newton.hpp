@@ -17,32 +17,13 @@
 /// Source: Crisfield, Non-linear Finite Element Analysis of Solids and Structures 1 (1991) 9.3; Allgower and Georg,
 /// Introduction to Numerical Continuation Methods (2003) 10.4. Tested by solver/solver_test, solver/supply_test,
 /// solver/newton_methods_test, solver/linear_methods_test, solver/kink_test, solver/motion_test, solver/tiny_load_test.
-#include <functional>
 #include <optional>
 
-#include "linalg/linear_solver.hpp"
-#include "linalg/small_matrix.hpp"
-#include "solver/constraint.hpp"
-#include "solver/differences.hpp"
+#include "solver/bordered_system.hpp"
 #include "solver/line_search.hpp"
 #include "solver/quasi_newton.hpp"
 
 namespace soft::solver {
-
-/// not_definite: CHOLMOD found a pivot that is not positive. linear_solver: the linear systems are not solved to the required
-/// tolerance, and therefore no equilibrium is found.
-enum class NewtonEnd {
-    converged,
-    inverted,
-    iteration_limit,
-    no_descent,
-    singular,
-    not_definite,
-    linear_solver,
-    not_finite
-};
-/// A clause for messages about the failure.
-[[nodiscard]] std::string_view text_of(NewtonEnd end);
 
 struct NewtonResult {
     NewtonEnd end = NewtonEnd::converged;
@@ -75,8 +56,6 @@ struct PathTangent {
 /// Multiplies everything per unit of the path parameter by `factor`.
 void scale(PathTangent& tangent, double factor);
 
-[[nodiscard]] linalg::Symmetry symmetry_of(const fem::System& system);
-
 class Newton {
 public:
     Newton(fem::System& system, const model::SolverSettings& settings);
@@ -102,8 +81,8 @@ public:
     [[nodiscard]] int confirmed_pivots() const noexcept { return confirmed_pivots_; }
     void confirm_pivots(int pivots) noexcept { confirmed_pivots_ = pivots; }
 
-    [[nodiscard]] int factorizations() const noexcept { return solver_.factorizations(); }
-    [[nodiscard]] long linear_iterations() const noexcept { return solver_.iterations(); }
+    [[nodiscard]] int factorizations() const noexcept { return bordered_.linear.factorizations(); }
+    [[nodiscard]] long linear_iterations() const noexcept { return bordered_.linear.iterations(); }
 
 private:
     /// State of a correction in progress.
@@ -122,82 +101,39 @@ private:
         std::vector<double> loads;  // of the free supplies' pressures and the load factor
         double pending = 0;         // the remaining residual and loads, as a force
     };
-    enum class Assemble { tangent, forces };
-    using SolveOne = std::function<linalg::LinearSolve(Vec, Vec)>;
 
     // newton.cpp
     [[nodiscard]] NewtonResult correct_by(model::LineSearch line_search, const Constraint& constraint, double target,
                                           State& state);
     [[nodiscard]] std::optional<NewtonEnd> check_convergence(const State& state, Correction& now);
     [[nodiscard]] bool is_rounding(const State& state, const Correction& now);
-    /// Change of R when the unknowns change in their last digits. Overwrites R_.
-    [[nodiscard]] double change_by_digits(const State& state, const fem::LoadLevels& levels);
     [[nodiscard]] std::optional<NewtonEnd> solve_blocks(const State& state, const Correction& now);
     /// True if the previous factor was good enough for this iteration.
     [[nodiscard]] bool solve_with_kept_factor(const Correction& now);
-    [[nodiscard]] bool solve_all(const Correction& now, const SolveOne& solve);
+    [[nodiscard]] bool solve_all(const Correction& now, const BorderedSystem::SolveOne& solve);
     [[nodiscard]] std::optional<Increment> increment(const Correction& now);
     [[nodiscard]] Search move(const Increment& step, const State& state, State& trial, Correction& now);
     void add_secant_pair(double length);
     [[nodiscard]] linalg::LinearSolve solve_updated(Vec b, Vec x);
-
-    // newton_system.cpp
-    [[nodiscard]] fem::Evaluation evaluate_at(const State& state, Assemble what = Assemble::tangent);
-    [[nodiscard]] Mat matrix_for(Assemble what);
-    /// Whether the columns' forces and K_ were assembled at exactly this state.
-    [[nodiscard]] bool is_assembled_at(const State& state) const;
-    /// Updates K_, or the operator in its place, and its factor to the state last evaluated.
-    [[nodiscard]] std::optional<NewtonEnd> linearize(const State& state);
-    /// Updates K_ or the operator, without a factor.
-    void differentiate(const State& state);
-    [[nodiscard]] NewtonEnd factor_failure() const;
-    [[nodiscard]] NewtonEnd solve_failure() const;
-    /// Values and gradients of e_k and c at the state last evaluated.
-    void evaluate_rows(const Constraint& constraint, const State& state);
-    /// False if a column is not solved.
-    [[nodiscard]] bool solve_columns(const SolveOne& solve);
-    /// Rows of the small system applied to a direction x.
-    [[nodiscard]] std::vector<double> rows_times(Vec x) const;
-    void fill_border();
 
     // newton_tangent.cpp
     /// Solves for the columns at the state of the last evaluation, with the last factor or, if that is not accurate enough, a new one.
     [[nodiscard]] std::optional<NewtonEnd> solve_tangent_columns();
     [[nodiscard]] linalg::LinearSolve solve_accurately(Vec b, Vec x, linalg::Factor factor);
     [[nodiscard]] std::optional<int> unstable_modes();
-    /// PathTangent::power per unit of the load factor; nullopt where the small system of the supplies is singular.
-    [[nodiscard]] std::optional<double> power_with_supplies_held() const;
-    /// Negative pivots of K in excess of one per pressure unknown (with LU their parity): of the last factor, and after the check
-    /// against the sign of the determinant.
-    [[nodiscard]] std::optional<int> pivots_of_factor() const;
+    /// Negative pivots of K in excess of one per pressure unknown, after the check against the sign of the determinant.
     [[nodiscard]] std::optional<int> excess_pivots();
 
-    fem::System& system_;
-    model::SolverSettings settings_;
-    const StageLoads* loads_ = nullptr;
-    bool loads_move_ = false;  // a face moves with the load factor
-    double rounding_N_ =
-        0;  // rounding error of the residual in the undeformed body: the resolution of equilibrium under tiny loads
-    linalg::Matrix K_, spare_;  // spare_ is for columns that need a tangent while K_ is kept
-    linalg::LinearSolver solver_;
-    std::optional<ResidualDifferences> differences_;
-    linalg::Factorization factor_;
-    bool factor_is_recent_ = false;  // made in the last correction
-    double residual_at_factor_ = 0;  // |R| where it was computed
+    BorderedSystem bordered_;
+    /// Rounding error of the residual in the undeformed body: the resolution of equilibrium under tiny loads.
+    double rounding_N_ = 0;
+    double residual_at_factor_ = 0;  // |R| where the factor was computed
     bool linear_limit_met_ = false;  // in the last iteration
     NewtonEnd tangent_end_ = NewtonEnd::converged;
-    int confirmed_pivots_ = 0;       // excess_pivots() of the tangent before
-    linalg::Vector R_, correction_;  // a, then dx
+    int confirmed_pivots_ = 0;   // excess_pivots() of the tangent before
+    linalg::Vector correction_;  // a, then dx
     SecantUpdates updates_;
-    linalg::Vector minus_R_before_, load_change_;   // of the secant pair to come: sum of (dp_k, dlambda) f
-    std::vector<linalg::Vector> forces_, columns_;  // f_k, -dR/dlambda; b_k, b_l
-    std::vector<fem::LoadColumn> wanted_;
-    std::optional<State> assembled_at_;      // of the last evaluation, where it gave K_
-    std::vector<linalg::Vector> gradients_;  // of e_k, c by x
-    std::vector<SupplyEquation> supply_;
-    ConstraintValue constraint_;
-    std::vector<double> volume_by_load_factor_;  // of the free supplies, through prescribed motions
-    linalg::SmallMatrix border_;
+    linalg::Vector minus_R_before_, load_change_;  // of the secant pair to come: sum of (dp_k, dlambda) f
 };
 
 }  // namespace soft::solver

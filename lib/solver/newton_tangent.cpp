@@ -15,11 +15,42 @@ constexpr int rounds_for_a_direction = 10;
 /// A difference below this fraction of its terms is within the linear solver's tolerance.
 constexpr double of_differences = 1e-6;
 
+/// PathTangent::power per unit of the load factor; nullopt where the small system of the supplies is singular.
+std::optional<double> power_with_supplies_held(const BorderedSystem& bordered) {
+    const auto free = static_cast<int>(bordered.supply.size());
+    const Vec force = bordered.forces.back().out, response = bordered.columns[bordered.forces.size() - 1];
+    double power = linalg::dot(force, response), largest = std::abs(power);
+    if (free == 0) return power;
+    linalg::SmallMatrix supply_block(free);
+    for (int i = 0; i < free; ++i)
+        for (int j = 0; j < free; ++j) supply_block.at(i, j) = bordered.border.at(i, j);
+    std::vector<double> missing = bordered.rows_times(response);
+    missing.pop_back();
+    const auto pressures = linalg::solve(supply_block, missing);
+    if (!pressures) return std::nullopt;
+    for (std::size_t k = 0; k < pressures->size(); ++k) {
+        const double taken_back = (*pressures)[k] * linalg::dot(force, bordered.columns[k]);
+        largest = std::max(largest, std::abs(taken_back));
+        power -= taken_back;
+    }
+    return std::abs(power) > of_differences * largest ? power : 0.0;  // the body cannot move at constant volume
+}
+
+/// Negative pivots of K in excess of one per pressure unknown (with LU their parity), of the last factor.
+std::optional<int> pivots_of_factor(const BorderedSystem& bordered) {
+    const auto pressures = bordered.system.dofs().pressures;  // one negative pivot each belongs to the saddle point
+    if (bordered.factor.negative_pivots) return static_cast<int>(*bordered.factor.negative_pivots - pressures);
+    if (bordered.factor.determinant_is_negative)
+        return *bordered.factor.determinant_is_negative != (pressures % 2 == 1) ? 1 : 0;
+    return std::nullopt;
+}
+
 }  // namespace
 
 linalg::LinearSolve Newton::solve_accurately(Vec b, Vec x, linalg::Factor factor) {
-    auto solve = solver_.solve(b, x, factor);
-    for (int round = 1; solve.at_limit && round < rounds_for_a_direction; ++round) solve = solver_.improve(b, x);
+    auto solve = bordered_.linear.solve(b, x, factor);
+    for (int round = 1; solve.at_limit && round < rounds_for_a_direction; ++round)
+        solve = bordered_.linear.improve(b, x);
     if (!solve.converged) return {};
     return solve;
 }
@@ -27,86 +58,61 @@ linalg::LinearSolve Newton::solve_accurately(Vec b, Vec x, linalg::Factor factor
 std::optional<NewtonEnd> Newton::solve_tangent_columns() {
     const auto with_the_last = [this](Vec b, Vec x) {
         const auto solve = solve_accurately(b, x, linalg::Factor::stale);
-        const bool good = solver_.is_krylov() || solve.iterations <= many_iterations_for_a_recent_factor;
+        const bool good = bordered_.linear.is_krylov() || solve.iterations <= many_iterations_for_a_recent_factor;
         return good ? solve : linalg::LinearSolve{};
     };
     const auto with_a_new = [this](Vec b, Vec x) { return solve_accurately(b, x, linalg::Factor::fresh); };
     // The factor may be that of a slightly earlier state: its inertia is used only if it has not changed since the last tangent.
     const auto inertia_is_unchanged = [this] {
-        const auto pivots = pivots_of_factor();
-        return !pivots ||
-               (factor_.negative_pivots ? *pivots == confirmed_pivots_ : (*pivots - confirmed_pivots_) % 2 == 0);
+        const auto pivots = pivots_of_factor(bordered_);
+        return !pivots || (bordered_.factor.negative_pivots ? *pivots == confirmed_pivots_
+                                                            : (*pivots - confirmed_pivots_) % 2 == 0);
     };
-    if (factor_is_recent_ && inertia_is_unchanged() && solve_columns(with_the_last)) return std::nullopt;
-    factor_ = solver_.factorize();
-    factor_is_recent_ = factor_.succeeded;
-    if (!factor_.succeeded) return factor_failure();
-    if (!solve_columns(with_a_new)) return solve_failure();
+    if (bordered_.factor_is_recent && inertia_is_unchanged() && bordered_.solve_columns(with_the_last))
+        return std::nullopt;
+    if (const auto failed = bordered_.factorize()) return failed;
+    if (!bordered_.solve_columns(with_a_new)) return bordered_.solve_failure();
     return std::nullopt;
 }
 
 std::optional<PathTangent> Newton::tangent(const Constraint& constraint, const State& state) {
     tangent_end_ = NewtonEnd::singular;
-    if (is_assembled_at(state))
-        system_.prescribe(loads_->levels(state.load_factor, state.pressures_Pa));
-    else if (!evaluate_at(state).admissible())
+    if (bordered_.is_assembled_at(state))
+        bordered_.system.prescribe(bordered_.loads().levels(state.load_factor, state.pressures_Pa));
+    else if (!bordered_.evaluate_at(state).admissible())
         return std::nullopt;
-    differentiate(state);
+    bordered_.differentiate(state);
     if (const auto failed = solve_tangent_columns()) {
         tangent_end_ = *failed;
         return std::nullopt;
     }
-    evaluate_rows(constraint, state);
-    fill_border();
-    std::vector<double> unit(wanted_.size(), 0.0);
+    bordered_.evaluate_rows(constraint, state);
+    bordered_.fill_border();
+    std::vector<double> unit(bordered_.forces.size(), 0.0);
     unit.back() = 1.0;
-    auto rates = linalg::solve(border_, unit);
+    auto rates = linalg::solve(bordered_.border, unit);
     if (!rates) return std::nullopt;
     tangent_end_ = NewtonEnd::converged;
     PathTangent tangent;
-    tangent.x = linalg::duplicate(R_);
-    for (std::size_t j = 0; j < rates->size(); ++j) linalg::add(tangent.x, (*rates)[j], columns_[j]);
+    tangent.x = linalg::duplicate(bordered_.R);
+    for (std::size_t j = 0; j < rates->size(); ++j) linalg::add(tangent.x, (*rates)[j], bordered_.columns[j]);
     tangent.load_factor = rates->back();
     rates->pop_back();
     tangent.pressures = std::move(*rates);
     tangent.unstable_modes = unstable_modes();
-    tangent.power = loads_move_ ? 0.0 : tangent.load_factor * power_with_supplies_held().value_or(0.0);
+    tangent.power =
+        bordered_.loads_move() ? 0.0 : tangent.load_factor * power_with_supplies_held(bordered_).value_or(0.0);
     return tangent;
 }
 
-std::optional<double> Newton::power_with_supplies_held() const {
-    const auto free = static_cast<int>(supply_.size());
-    const Vec force = wanted_.back().out, response = columns_[wanted_.size() - 1];
-    double power = linalg::dot(force, response), largest = std::abs(power);
-    if (free == 0) return power;
-    linalg::SmallMatrix supply_block(free);
-    for (int i = 0; i < free; ++i)
-        for (int j = 0; j < free; ++j) supply_block.at(i, j) = border_.at(i, j);
-    std::vector<double> missing = rows_times(response);
-    missing.pop_back();
-    const auto pressures = linalg::solve(supply_block, missing);
-    if (!pressures) return std::nullopt;
-    for (std::size_t k = 0; k < pressures->size(); ++k) {
-        const double taken_back = (*pressures)[k] * linalg::dot(force, columns_[k]);
-        largest = std::max(largest, std::abs(taken_back));
-        power -= taken_back;
-    }
-    return std::abs(power) > of_differences * largest ? power : 0.0;  // the body cannot move at constant volume
-}
-
-std::optional<int> Newton::pivots_of_factor() const {
-    const auto pressures = system_.dofs().pressures;  // one negative pivot each belongs to the saddle point
-    if (factor_.negative_pivots) return static_cast<int>(*factor_.negative_pivots - pressures);
-    if (factor_.determinant_is_negative) return *factor_.determinant_is_negative != (pressures % 2 == 1) ? 1 : 0;
-    return std::nullopt;
-}
-
 std::optional<int> Newton::excess_pivots() {
-    const auto count = pivots_of_factor();
+    const auto count = pivots_of_factor(bordered_);
     if (!count) return std::nullopt;
-    if (factor_.negative_pivots && *count != confirmed_pivots_) {
-        const auto negative = solver_.determinant_is_negative();
-        const auto agrees = [&](int pivots) { return *negative == ((system_.dofs().pressures + pivots) % 2 != 0); };
+    if (bordered_.factor.negative_pivots && *count != confirmed_pivots_) {
+        const auto negative = bordered_.linear.determinant_is_negative();
+        const auto agrees = [&](int pivots) {
+            return *negative == ((bordered_.system.dofs().pressures + pivots) % 2 != 0);
+        };
         if (negative && !agrees(*count) && agrees(confirmed_pivots_)) return confirmed_pivots_;
     }
     confirmed_pivots_ = *count;
@@ -116,23 +122,23 @@ std::optional<int> Newton::excess_pivots() {
 std::optional<int> Newton::unstable_modes() {
     const auto modes = excess_pivots();
     if (!modes) return std::nullopt;
-    const int free = static_cast<int>(supply_.size());
+    const int free = static_cast<int>(bordered_.supply.size());
     linalg::SmallMatrix supply_block(free);  // compliance of the gas + grad V . K^-1 f
     for (int i = 0; i < free; ++i)
         for (int j = 0; j < free; ++j)
-            supply_block.at(i, j) = border_.at(i, j) / supply_[static_cast<std::size_t>(i)].by_volume;
+            supply_block.at(i, j) = bordered_.border.at(i, j) / bordered_.supply[static_cast<std::size_t>(i)].by_volume;
     const int freed = linalg::negative_eigenvalues(supply_block);
-    return factor_.negative_pivots ? *modes - freed : (*modes + freed) % 2;
+    return bordered_.factor.negative_pivots ? *modes - freed : (*modes + freed) % 2;
 }
 
 std::optional<linalg::Vector> Newton::bordered_solve(Vec b) {
     linalg::Vector v = linalg::duplicate(b);
     if (!solve_accurately(b, v, linalg::Factor::stale).converged) return std::nullopt;
-    auto rows = rows_times(v);
+    auto rows = bordered_.rows_times(v);
     for (double& row : rows) row = -row;
-    const auto border = linalg::solve(border_, rows);
+    const auto border = linalg::solve(bordered_.border, rows);
     if (!border) return std::nullopt;
-    for (std::size_t j = 0; j < border->size(); ++j) linalg::add(v, (*border)[j], columns_[j]);
+    for (std::size_t j = 0; j < border->size(); ++j) linalg::add(v, (*border)[j], bordered_.columns[j]);
     return v;
 }
 

@@ -1,17 +1,10 @@
 #include "solver/path_text.hpp"
 
-#include <locale>
-#include <sstream>
+#include "core/text.hpp"
 
 namespace soft::solver {
 
-std::string short_text(double value) {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text.precision(6);
-    text << value;
-    return text.str();
-}
+std::string short_text(double value) { return core::rounded_text(value, 6); }
 
 std::string state_text(const PathPoint& point, const model::Case& input) {
     std::string text;

@@ -61,7 +61,7 @@ TsIntegrator::TsIntegrator(MotionEquations& equations, StageSolver* solver, Inte
     int rank = 0;
     MPI_Comm_rank(system.comm(), &rank);
     const PetscInt own = system.dofs().end - system.dofs().begin;
-    const auto lines = static_cast<PetscInt>(equations.line_count());
+    const auto lines = static_cast<PetscInt>(equations.lines().count());
     SOFT_PETSC(VecCreate(system.comm(), y_.out()));
     SOFT_PETSC(VecSetSizes(y_, 2 * own + (rank == 0 ? lines : 0), 2 * system.dofs().total + lines));
     SOFT_PETSC(VecSetFromOptions(y_));
@@ -141,7 +141,7 @@ SNESConvergedReason TsIntegrator::test(int iteration) {
 /// At the state of implicit_function's last call. The equations of the supply lines need no such check.
 bool TsIntegrator::is_rounding() {
     if (!stalls(relative_residual_, residual_before_)) return false;
-    const auto pressures = equations_.line_pressures(x_, masses_);
+    const auto pressures = equations_.lines().pressures(x_, masses_);
     return solver_->is_rounding(relative_residual_ * scale_N_, x_, equations_.levels(stage_time_s_, pressures));
 }
 
@@ -156,7 +156,7 @@ void TsIntegrator::split(Vec y, Vec x, Vec v, std::vector<double>& masses) const
         std::copy_n(from + begin, own, to);
         SOFT_PETSC(VecRestoreArray(part, &to));
     }
-    masses.assign(equations_.line_count(), 0.0);
+    masses.assign(equations_.lines().count(), 0.0);
     int rank = 0;
     MPI_Comm_rank(equations_.system().comm(), &rank);
     if (rank == 0) std::copy_n(from + 2 * own, masses.size(), masses.begin());
@@ -184,7 +184,7 @@ void TsIntegrator::join(Vec x, Vec v, std::span<const double> masses, Vec y) con
 void TsIntegrator::implicit_function(double time_s, Vec y, Vec rate, Vec out) {
     split(y, x_, v_, masses_);
     split(rate, rate_x_, rate_v_, rate_masses_);
-    const auto pressures = equations_.line_pressures(x_, masses_);
+    const auto pressures = equations_.lines().pressures(x_, masses_);
     evaluation_ = equations_.evaluate(x_, equations_.levels(time_s, pressures), nullptr);
     if (!evaluation_.admissible()) failure_ = NewtonEnd::inverted;  // R is incomplete: the step is rejected
     SOFT_PETSC(VecZeroEntries(inertia_));
@@ -200,11 +200,11 @@ void TsIntegrator::implicit_function(double time_s, Vec y, Vec rate, Vec out) {
     SOFT_PETSC(VecWAXPY(out_x_, -1.0, v_, rate_x_));
     SOFT_PETSC(VecPointwiseMult(out_x_, equations_.mask(), out_x_));
     SOFT_PETSC(VecAXPBYPCZ(out_x_, 1.0, -1.0, 1.0, forces_, out_v_));
-    auto flows = equations_.mass_flows(time_s, pressures);
+    auto flows = equations_.lines().flows(time_s, pressures);
     for (std::size_t k = 0; k < flows.size(); ++k) {
         flows[k] = rate_masses_[k] - flows[k];
-        relative_residual_ =
-            std::max(relative_residual_, std::abs(flows[k]) / (equations_.conductance(k) * line_pressure_scale_Pa));
+        relative_residual_ = std::max(
+            relative_residual_, std::abs(flows[k]) / (equations_.lines().conductance(k) * line_pressure_scale_Pa));
     }
     join(out_x_, out_v_, flows, out);
 }
@@ -216,9 +216,10 @@ void TsIntegrator::implicit_matrix(double time_s, Vec y, double shift) {
     std::vector<double> pressures;
     rows_.clear();
     for (std::size_t k = 0; k < volumes.size(); ++k) {
-        const auto gas = equations_.gas_pressure(k, volumes[k], masses_[k]);
+        const auto gas = equations_.lines().pressure(k, volumes[k], masses_[k]);
         pressures.push_back(gas.value_Pa);
-        rows_.push_back({1.0 + gas.by_mass * equations_.conductance(k) / shift, -gas.by_volume, gas.by_mass / shift});
+        rows_.push_back(
+            {1.0 + gas.by_mass * equations_.lines().conductance(k) / shift, -gas.by_volume, gas.by_mass / shift});
     }
     if (!solver_->factorize(x_, equations_.levels(time_s, pressures), shift, shift * shift))
         failure_ = NewtonEnd::singular;
@@ -244,20 +245,20 @@ void TsIntegrator::apply_inverse(Vec b, Vec out) {
     }
     SOFT_PETSC(VecPointwiseMult(out_v_, equations_.mask(), out_x_));
     SOFT_PETSC(VecAXPBY(out_v_, -1.0, shift_, x_));
-    for (std::size_t k = 0; k < dp.size(); ++k) rhs[k] = (rhs[k] - equations_.conductance(k) * dp[k]) / shift_;
+    for (std::size_t k = 0; k < dp.size(); ++k) rhs[k] = (rhs[k] - equations_.lines().conductance(k) * dp[k]) / shift_;
     join(out_x_, out_v_, rhs, out);
 }
 
 void TsIntegrator::explicit_function(double time_s, Vec y, Vec out) {
     split(y, x_, v_, masses_);
-    const auto pressures = equations_.line_pressures(x_, masses_);
+    const auto pressures = equations_.lines().pressures(x_, masses_);
     evaluation_ = equations_.evaluate(x_, equations_.levels(time_s, pressures), nullptr);
     if (!evaluation_.admissible()) failure_ = NewtonEnd::inverted;
     linalg::copy(equations_.residual(), out_v_);
     equations_.add_damping(out_v_, 1.0, v_);
     SOFT_PETSC(VecScale(out_v_, -1.0));
     SOFT_PETSC(VecPointwiseDivide(out_v_, out_v_, equations_.lumped_mass()));
-    join(v_, out_v_, equations_.mass_flows(time_s, pressures), out);
+    join(v_, out_v_, equations_.lines().flows(time_s, pressures), out);
 }
 
 StepResult TsIntegrator::attempt(const MotionState& last, double step_s, MotionState& next) {
@@ -298,7 +299,7 @@ void TsIntegrator::read_end(double time_s, MotionState& next, StepResult& result
         return;
     }
     const auto end = equations_.evaluate(
-        next.x, equations_.levels(time_s, equations_.line_pressures(next.x, next.masses_kg)), nullptr);
+        next.x, equations_.levels(time_s, equations_.lines().pressures(next.x, next.masses_kg)), nullptr);
     if (!end.admissible()) failure_ = NewtonEnd::inverted;
     result.newton.min_jacobian = end.min_jacobian;
     result.newton.worst_cell = end.worst_cell;

@@ -39,7 +39,7 @@ StageSolver::StageSolver(MotionEquations& equations)
       inertia_(equations.system().make_vector()),
       masked_(equations.system().make_vector()) {
     fem::configure_preconditioner(solver_, equations.system(), J_);
-    for (std::size_t k = 0; k < equations.line_count(); ++k) {
+    for (std::size_t k = 0; k < equations.lines().count(); ++k) {
         columns_.push_back(equations.system().make_vector());
         gradients_.push_back(equations.system().make_vector());
     }
@@ -47,7 +47,8 @@ StageSolver::StageSolver(MotionEquations& equations)
 
 std::vector<double> StageSolver::read_volumes(Vec x) {
     std::vector<double> volumes;
-    for (std::size_t k = 0; k < gradients_.size(); ++k) volumes.push_back(equations_.line_volume(k, x, gradients_[k]));
+    for (std::size_t k = 0; k < gradients_.size(); ++k)
+        volumes.push_back(equations_.lines().volume(k, x, gradients_[k]));
     return volumes;
 }
 
@@ -57,9 +58,9 @@ std::vector<LineRow> StageSolver::line_rows(const StageMap& map, const MotionSta
     const auto volumes = read_volumes(state.x);
     std::vector<LineRow> rows;
     for (std::size_t k = 0; k < volumes.size(); ++k) {
-        const double mass = map.masses_kg[k] + map.flow_share * equations_.mass_flow(k, state.time_s, pressures[k]);
-        const auto gas = equations_.gas_pressure(k, volumes[k], mass);
-        rows.push_back({1.0 + gas.by_mass * map.flow_share * equations_.conductance(k), -gas.by_volume,
+        const double mass = map.masses_kg[k] + map.flow_share * equations_.lines().flow(k, state.time_s, pressures[k]);
+        const auto gas = equations_.lines().pressure(k, volumes[k], mass);
+        rows.push_back({1.0 + gas.by_mass * map.flow_share * equations_.lines().conductance(k), -gas.by_volume,
                         gas.value_Pa - pressures[k]});
     }
     return rows;
@@ -176,7 +177,7 @@ NewtonResult StageSolver::solve(const StageMap& map, Vec fallback, MotionState& 
         result.end = end;
         return result;
     };
-    auto pressures = equations_.line_pressures(state.x, map.masses_kg);
+    auto pressures = equations_.lines().pressures(state.x, map.masses_kg);
     evaluation_ = evaluate(state, pressures, nullptr, result);
     if (!evaluation_.admissible()) {
         SOFT_PETSC(VecWAXPY(dx_, -1.0, state.x, fallback));
@@ -205,7 +206,7 @@ NewtonResult StageSolver::solve(const StageMap& map, Vec fallback, MotionState& 
     }
     state.masses_kg = map.masses_kg;
     for (std::size_t k = 0; k < pressures.size(); ++k)
-        state.masses_kg[k] += map.flow_share * equations_.mass_flow(k, state.time_s, pressures[k]);
+        state.masses_kg[k] += map.flow_share * equations_.lines().flow(k, state.time_s, pressures[k]);
     linalg::copy(equations_.load_force(), state.load_force);
     return report(NewtonEnd::converged);
 }

@@ -1,0 +1,169 @@
+#include "solver/bordered_system.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "fem/element_levels.hpp"
+#include "model/cavity_surface.hpp"
+
+namespace soft::solver {
+
+namespace {
+
+model::SolverSettings with_choice(const fem::System& system, model::SolverSettings settings) {
+    settings.linear = fem::choose_linear(settings.linear, system.input(), system.dofs().total);
+    return settings;
+}
+
+}  // namespace
+
+linalg::Symmetry symmetry_of(const fem::System& system) {
+    return system.has_symmetric_tangent() ? linalg::Symmetry::symmetric : linalg::Symmetry::general;
+}
+
+BorderedSystem::BorderedSystem(fem::System& fem_system, const model::SolverSettings& given)
+    : system(fem_system),
+      settings(with_choice(fem_system, given)),
+      K(fem_system.make_matrix()),
+      linear(K, symmetry_of(fem_system), settings.linear),
+      R(fem_system.make_vector()) {
+    const bool matrix_free = settings.linear.method == model::LinearMethod::jacobian_free;
+    fem::configure_preconditioner(linear, system, K);
+    if (matrix_free || given.tangent == model::TangentSource::finite_difference)
+        differences_.emplace(system, K, given.tangent);
+    if (matrix_free) linear.set_operator(differences_->jacobian());
+}
+
+void BorderedSystem::set_loads(const StageLoads& loads) {
+    loads_ = &loads;
+    const std::size_t count = loads.free_supplies().size() + 1;
+    for (auto* list : {&force_vectors_, &columns, &gradients_})
+        while (list->size() < count) list->push_back(system.make_vector());
+    forces.clear();
+    for (std::size_t k = 0; k + 1 < count; ++k) forces.push_back({loads.unit_pressure(k), force_vectors_[k]});
+    forces.push_back({loads.rate(), force_vectors_[count - 1]});
+    factor_is_recent = false;
+    assembled_at_.reset();
+    loads_move_ = std::ranges::any_of(loads.rate().motions, [](double rate) { return rate != 0.0; });
+}
+
+Mat BorderedSystem::matrix_for(Assemble what) {
+    if (what == Assemble::tangent && (loads_move_ || settings.tangent == model::TangentSource::exact)) return K;
+    if (!loads_move_) return nullptr;
+    if (spare_ == nullptr) spare_ = system.make_matrix();
+    return spare_;
+}
+
+fem::Evaluation BorderedSystem::evaluate_at(const State& state, Assemble what) {
+    const auto levels = loads_->levels(state.load_factor, state.pressures_Pa);
+    const Mat matrix = matrix_for(what);
+    const auto evaluation = system.evaluate(state.x, levels, R, matrix, forces);
+    assembled_at_.reset();
+    if (matrix == K && evaluation.admissible()) assembled_at_ = copy_of(state);
+    return evaluation;
+}
+
+/// A finite-difference tangent evaluates the system at other states afterwards.
+bool BorderedSystem::is_assembled_at(const State& state) const {
+    if (!assembled_at_ || differences_ || state.load_factor != assembled_at_->load_factor ||
+        state.pressures_Pa != assembled_at_->pressures_Pa)
+        return false;
+    PetscBool same = PETSC_FALSE;
+    SOFT_PETSC(VecEqual(state.x, assembled_at_->x, &same));
+    return same == PETSC_TRUE;
+}
+
+/// F = I + grad u is rounded like positions are: the last digit is that of a displacement of the cell's size.
+double BorderedSystem::change_by_digits(const State& state, const fem::LoadLevels& levels) {
+    const model::Case& input = system.input();
+    const double nodes = static_cast<double>(input.mesh.points.size());
+    const double cell_m = mesh::extent_m(input.mesh) / std::pow(nodes, 1.0 / input.mesh.dimension);
+    const linalg::Vector nearby = copy_of(state.x);
+    for (PetscInt i = system.dofs().begin; i < system.dofs().end; ++i) {
+        double value = 0;
+        SOFT_PETSC(VecGetValues(state.x, 1, &i, &value));
+        const double digit = std::numeric_limits<double>::epsilon() * (std::abs(value) + cell_m);
+        SOFT_PETSC(VecSetValue(nearby, i, value + (i % 3 == 0 ? -digit : digit), INSERT_VALUES));
+    }
+    SOFT_PETSC(VecAssemblyBegin(nearby));
+    SOFT_PETSC(VecAssemblyEnd(nearby));
+    static_cast<void>(system.evaluate(state.x, levels, R, nullptr));
+    const linalg::Vector change = copy_of(R);
+    static_cast<void>(system.evaluate(nearby, levels, R, nullptr));
+    linalg::add(change, -1.0, R);
+    assembled_at_.reset();
+    return linalg::norm(change);
+}
+
+void BorderedSystem::differentiate(const State& state) {
+    if (!differences_) return;
+    const auto levels = loads_->levels(state.load_factor, state.pressures_Pa);
+    differences_->set_base(state.x, levels, R);
+    if (settings.tangent == model::TangentSource::finite_difference) differences_->tangent(state.x, levels, K);
+}
+
+std::optional<NewtonEnd> BorderedSystem::factorize() {
+    factor = linear.factorize();
+    factor_is_recent = factor.succeeded;
+    if (factor.succeeded) return std::nullopt;
+    if (linear.is_krylov()) return NewtonEnd::linear_solver;
+    return settings.linear.method == model::LinearMethod::cholmod ? NewtonEnd::not_definite : NewtonEnd::singular;
+}
+
+/// With LinearMethod::automatic, a solve that still fails after a successful factorisation means a singular tangent.
+NewtonEnd BorderedSystem::solve_failure() const {
+    return settings.linear.method == model::LinearMethod::automatic ? NewtonEnd::singular : NewtonEnd::linear_solver;
+}
+
+void BorderedSystem::evaluate_rows(const Constraint& target, const State& state) {
+    const auto& free = loads_->free_supplies();
+    supply.clear();
+    volume_by_load_factor_.clear();
+    const auto& motions = loads_->rate().motions;
+    for (std::size_t k = 0; k < free.size(); ++k) {
+        std::vector<double> by_motion(motions.size(), 0.0);
+        const double volume = system.volumes().of_load(free[k], state.x, gradients_[k], by_motion);
+        supply.push_back(loads_->equation(k, volume, state.pressures_Pa[k], state.load_factor));
+        volume_by_load_factor_.push_back(std::inner_product(by_motion.begin(), by_motion.end(), motions.begin(), 0.0));
+    }
+    constraint = evaluate(target, system, *loads_, state, gradients_[free.size()]);
+}
+
+std::vector<double> BorderedSystem::rows_times(Vec x) const {
+    std::vector<double> product;
+    for (std::size_t k = 0; k < supply.size(); ++k)
+        product.push_back(supply[k].by_volume * linalg::dot(gradients_[k], x));
+    product.push_back(linalg::dot(gradients_[supply.size()], x));
+    return product;
+}
+
+void BorderedSystem::fill_border() {
+    const int n = static_cast<int>(forces.size()), last = n - 1;
+    border = linalg::SmallMatrix(n);
+    for (int j = 0; j < n; ++j) {
+        const auto column = rows_times(columns[static_cast<std::size_t>(j)]);
+        for (int i = 0; i < n; ++i) border.at(i, j) = column[static_cast<std::size_t>(i)];
+    }
+    for (std::size_t k = 0; k < supply.size(); ++k) {
+        const int row = static_cast<int>(k);
+        border.at(row, row) += supply[k].by_pressure;
+        border.at(row, last) += supply[k].by_load_factor + supply[k].by_volume * volume_by_load_factor_[k];
+        border.at(last, row) += constraint.by_pressures[k];
+    }
+    border.at(last, last) += constraint.by_load_factor;
+}
+
+bool BorderedSystem::solve_columns(const SolveOne& solve) {
+    for (std::size_t j = 0; j < forces.size(); ++j) {
+        if (linalg::norm(forces[j].out) == 0.0) {  // the load factor changes only volumes or masses
+            SOFT_PETSC(VecZeroEntries(columns[j]));
+            continue;
+        }
+        if (!solve(forces[j].out, columns[j]).usable()) return false;
+    }
+    return true;
+}
+
+}  // namespace soft::solver
