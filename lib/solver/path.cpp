@@ -162,7 +162,7 @@ bool PathFollower::pass_events(Events events) {
         } else if (!events.control_ends.empty()) {
             finish({StopReason::limit_point,
                     events.control_ends + " at " + describe(event.point) +
-                        ": no equilibrium exists beyond it under this control; use path.control: auto to continue"});
+                        ": this control cannot pass it; use path.control: auto to continue"});
             return true;
         }
     }

@@ -79,6 +79,8 @@ Error start_error(NewtonEnd end, const std::string& problem) {
     return Error(ExitCode::bad_input, "materials", problem, "check the moduli of the materials");
 }
 
+constexpr const char* end_earlier = "; set path.until to end the path earlier, or request a smaller load";
+
 std::optional<Stop> stop_before_step(const PathState& path, const model::Case& input) {
     const int limit = input.solver.step_limit;
     if (path.rows > limit)
@@ -89,7 +91,8 @@ std::optional<Stop> stop_before_step(const PathState& path, const model::Case& i
                               " steps cover less than 1 % of its length, at " + state_text(*path.last, input);
     if (is_past_limit_point(path))
         return Stop{StopReason::limit_point,
-                    "the requested load is not reached: the path is past the limit point and stalls" + where};
+                    "the requested load is not reached: the path is past the limit point and stalls" + where +
+                        end_earlier};
     return Stop{StopReason::diverged, "the path stalls" + where + "; try another mesh.size"};
 }
 
@@ -99,13 +102,13 @@ std::optional<Stop> stop_at_row(const PathState& path, const model::Case& input)
         return Stop{StopReason::limit_point, std::move(returned)};
     if (is_out_of_reach(path, input.path.stretch_limit))
         return Stop{StopReason::limit_point,
-                    "the requested load is never reached: the load tends to little more than at " + here +
-                        ", and the stretch exceeds path.stretch_limit"};
+                    "the requested load is never reached: the load approaches a limit just above its value at " + here +
+                        ", and the stretch exceeds path.stretch_limit" + end_earlier};
     if (is_past_limit_point(path) && path.stretch_p99 > input.path.stretch_limit)
         return Stop{StopReason::limit_point,
                     "the requested load is never reached: the path is past the limit point, and the stretch exceeds "
                     "path.stretch_limit at " +
-                        here};
+                        here + end_earlier};
     return std::nullopt;
 }
 
