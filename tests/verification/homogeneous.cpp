@@ -78,7 +78,7 @@ Row stretch_row(const Law& law, Mode mode, const std::string& cells) {
     Prescribed other{0, false};
     std::string word = "uniaxial";
     if (mode == Mode::equibiaxial) {
-        sets.push_back("loads.right.pressure=-" + MPa_text(stress_Pa));
+        sets.push_back("loads.right.pressure=-" + MPa_text(law.stress_Pa));
         other = pull;
         word = "equibiaxial";
     } else if (mode == Mode::planar) {
@@ -88,7 +88,7 @@ Row stretch_row(const Law& law, Mode mode, const std::string& cells) {
     }
     const auto run = run_design(design, sets);
     const double length_m = 20e-3;
-    return {.quantity = "stretch at " + core::number_text(1e-3 * stress_Pa) + " kPa, " + word + " [-]",
+    return {.quantity = "stretch at " + core::number_text(1e-3 * law.stress_Pa) + " kPa, " + word + " [-]",
             .reference = stretches_at(run.model.materials.front(), pull, other)[0],
             .source = "equilibrium of the closed form",
             .ours = 1.0 + run.steps.back().outputs.at(0) / length_m,
