@@ -20,6 +20,7 @@ claim "the number of rows is correct" [ "$(json curve.json rows)" = "$(column st
 runs 'sweep-plan designs/sweeps/rod.yaml --json sweep.json > plan.csv'
 claim "the number of designs is correct" [ "$(json sweep.json designs)" -eq 4 ]
 
+declare -A own_codes=([mesh-gen]='' [solve]='1 2 ' [postprocess]='1 ' [sweep-plan]='2 ')   # besides 0 and those of errors
 for tool in mesh-gen solve postprocess sweep-plan; do
     runs "$tool --version"
     claim "the first line contains name, version and revision" like "$(head -n 1 "$seen/out")" "$tool [0-9]*.[0-9]*.[0-9]* (*)"
@@ -31,7 +32,7 @@ for tool in mesh-gen solve postprocess sweep-plan; do
     runs "$tool --help > help.txt"
     sed -n '/^Examples:/,/^Exit codes:/s/^  \([a-z].*\)/\1/p' help.txt >examples.txt
     claim "--help has two examples" [ "$(wc -l <examples.txt)" -eq 2 ]
-    claim "--help lists the exit codes" [ "$(sed -n '/^Exit codes:/,$s/^  \([0-9]*\) .*/\1/p' help.txt | xargs)" = '0 1 2 64 65 66 70 73 74' ]
+    claim "--help lists the exit codes" [ "$(sed -n '/^Exit codes:/,$s/^  \([0-9]*\) .*/\1/p' help.txt | xargs)" = "0 ${own_codes[$tool]}64 65 66 70 73 74" ]
     cp examples.txt "examples-$tool.txt"
 
     runs "$tool --completion bash > completion.sh && bash -n completion.sh"
