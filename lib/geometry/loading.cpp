@@ -192,7 +192,8 @@ bool share_a_facet(const Meshed& meshed, const std::string& one, const std::stri
 }
 
 /// Throws values.refuse(...) with the nearest node for a point outside the mesh.
-Vector3 point_of_part(const design::Design::OutputRequest& request, const Meshed& meshed, const design::Values& values) {
+Vector3 point_of_part(const design::Design::OutputRequest& request, const Meshed& meshed,
+                      const design::Values& values) {
     Vector3 point{};
     std::ranges::copy(request.point_m, point.begin());
     if (mesh::locate(meshed.mesh, point)) return point;

@@ -160,9 +160,8 @@ bool PathFollower::pass_events(Events events) {
         if (event.kind == Event::Kind::bifurcation) {
             if (take_branch(event)) return true;
         } else if (!events.control_ends.empty()) {
-            finish({StopReason::limit_point,
-                    events.control_ends + " at " + describe(event.point) +
-                        ": this control cannot pass it; use path.control: auto to continue"});
+            finish({StopReason::limit_point, events.control_ends + " at " + describe(event.point) +
+                                                 ": this control cannot pass it; use path.control: auto to continue"});
             return true;
         }
     }

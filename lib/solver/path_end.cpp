@@ -90,9 +90,9 @@ std::optional<Stop> stop_before_step(const PathState& path, const model::Case& i
     const std::string where = ": the last " + std::to_string(stalled_rows) +
                               " steps cover less than 1 % of its length, at " + state_text(*path.last, input);
     if (is_past_limit_point(path))
-        return Stop{StopReason::limit_point,
-                    "the requested load is not reached: the path is past the limit point and stalls" + where +
-                        end_earlier};
+        return Stop{
+            StopReason::limit_point,
+            "the requested load is not reached: the path is past the limit point and stalls" + where + end_earlier};
     return Stop{StopReason::diverged, "the path stalls" + where + "; try another mesh.size"};
 }
 

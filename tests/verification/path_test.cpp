@@ -191,7 +191,8 @@ TEST(Sphere, LoadAboveTheAsymptoteOfACompressibleLawIsAbandoned) {
                         "material={law: yeoh, c1: 10 kPa, c2: 1 kPa, c3: 1 kPa, kappa: 4 MPa}",
                         "loads.cavity.pressure=60 kPa", "path.stretch_limit=3"});
     EXPECT_EQ(run.end.reason, model::StopReason::limit_point);
-    EXPECT_NE(run.end.detail.find("the load approaches a limit just above its value at "), std::string::npos) << run.end.detail;
+    EXPECT_NE(run.end.detail.find("the load approaches a limit just above its value at "), std::string::npos)
+        << run.end.detail;
     const double asymptote_kPa = 12 * (1 / 50.5) * std::sqrt(1.0 * 4e3);
     EXPECT_LT(run.pressure_kPa(), asymptote_kPa);
     EXPECT_GT(run.pressure_kPa(), 0.95 * asymptote_kPa);
