@@ -67,11 +67,9 @@ template <class Struct>
 
 template <class Struct>
 [[nodiscard]] Setting<Struct> flag(std::string name, bool Struct::*member, std::string meaning) {
-    return {{.path = std::move(name),
-             .kind = Kind::flag,
-             .fallback = Struct{}.*member ? "true" : "false",
-             .meaning = std::move(meaning)},
-            [member](const Values& values, const std::string& path, Struct& target) {
+    const std::string fallback = Struct{}.*member ? "true" : "false";
+    Key key{.path = std::move(name), .kind = Kind::flag, .fallback = fallback, .meaning = std::move(meaning)};
+    return {std::move(key), [member](const Values& values, const std::string& path, Struct& target) {
                 target.*member = values.text(path) == "true";
             }};
 }

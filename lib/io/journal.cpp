@@ -130,7 +130,7 @@ public:
     void get(std::optional<T>& value) {
         bool present = false;
         get(present);
-        if (present) get(value.emplace());
+        if (present) get(value.emplace(T{}));  // clang 16 does not emplace aggregates
     }
     void get(std::array<double, 3>& values) {
         for (double& value : values) get(value);
