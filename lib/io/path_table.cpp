@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 
 #include "io/path_columns.hpp"
 
@@ -39,7 +40,8 @@ auto* in_optional(Step& step) {
 }
 template <auto optional>
 void create(Step& step) {
-    if (!(step.*optional)) (step.*optional).emplace();
+    auto& value = step.*optional;
+    if (!value) value = typename std::remove_reference_t<decltype(value)>::value_type{};
 }
 
 template <std::size_t axis>
@@ -231,7 +233,7 @@ std::vector<Step> read_steps(const GroupReader& path, const model::Case& model) 
     if (numbers.empty()) return {};
     const GroupReader tangents = path.group("tangents");
     Step row;
-    if (model.dynamics) row.motion.emplace();
+    if (model.dynamics) row.motion = Step::Motion{};
     for_each_table([&](auto columns) { create_values(path, columns, row); });
     create_values(tangents, Table<double>{tangent_columns}, row);
     std::vector<Step> steps(numbers.size(), row);
