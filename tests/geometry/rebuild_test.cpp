@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "case_equal.hpp"
+#include "../model/equal.hpp"
 #include "core/error.hpp"
 #include "geometry/build.hpp"
 
@@ -53,7 +53,7 @@ TEST_P(EveryDesign, IsRebuiltEqualInEveryField) {
     const design::Design design = read_file(
         designs / (name + ".yaml"), name.starts_with("imported") ? Overrides{} : Overrides{{"mesh.quality", "draft"}});
     const Built built = build_with_figures(design);
-    sample::expect_equal(rebuild_case(built.model.mesh, built.shape, design.effective_yaml, source), built.model);
+    model::test::expect_equal(rebuild_case(built.model.mesh, built.shape, design.effective_yaml, source), built.model);
 }
 
 INSTANTIATE_TEST_SUITE_P(Rebuild, EveryDesign,
@@ -72,7 +72,7 @@ TEST(Rebuild, ChangedLoadsEqualThoseOfADesignWithTheSameOverrides) {
                               {"material.density", "1080 kg/m^3"},
                               {"loads.gravity", "{acceleration: 9.81 m/s^2, along: -axis}"},
                               {"solver.threads", "2"}};
-    sample::expect_equal(changed(built, design, overrides), build_case(read_file(path, overrides)));
+    model::test::expect_equal(changed(built, design, overrides), build_case(read_file(path, overrides)));
     EXPECT_NE(refusal(built, design, {{"loads.gravity", "{acceleration: 9.81 m/s^2, along: x}"}}).find("no density"),
               std::string::npos);
 }
@@ -112,7 +112,7 @@ TEST(Rebuild, DoesNotReadTheFileOfAnImportedShape) {
     const design::Design design = read(text, (folder / "design.yaml").string());
     const Built built = build_with_figures(design);
     std::filesystem::remove_all(folder);
-    sample::expect_equal(rebuild_case(built.model.mesh, built.shape, design.effective_yaml, source), built.model);
+    model::test::expect_equal(rebuild_case(built.model.mesh, built.shape, design.effective_yaml, source), built.model);
 }
 
 }  // namespace

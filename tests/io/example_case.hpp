@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "../model/equal.hpp"
 #include "core/error.hpp"
 #include "io/case_file.hpp"
 #include "io/handle.hpp"
@@ -42,8 +43,7 @@ void expect_stored(std::span<const std::byte> image, const model::Case& model);
 [[nodiscard]] model::PathEnd example_end();
 [[nodiscard]] model::Checkpoint example_checkpoint(int rows);  ///< every member has a distinct value
 
-void expect_equal(const mesh::Mesh& left, const mesh::Mesh& right);
-void expect_equal(const model::Shape& left, const model::Shape& right);
+using model::test::expect_all, model::test::expect_equal;
 void expect_equal(const model::Step& left, const model::Step& right);
 void expect_equal(const model::PathEnd& left, const model::PathEnd& right);
 void expect_equal(const model::Checkpoint& left, const model::Checkpoint& right);

@@ -6,24 +6,6 @@
 namespace soft::io::test {
 namespace {
 
-void expect_equal(const model::Cavity& left, const model::Cavity& right) {
-    EXPECT_EQ(left.name, right.name);
-    EXPECT_EQ(left.wall, right.wall);
-    EXPECT_EQ(left.inner_faces, right.inner_faces);
-    ASSERT_EQ(left.openings.size(), right.openings.size());
-    for (std::size_t i = 0; i < left.openings.size(); ++i) {
-        EXPECT_EQ(left.openings[i].face, right.openings[i].face);
-        EXPECT_EQ(left.openings[i].area_m2, right.openings[i].area_m2);
-        EXPECT_EQ(left.openings[i].direction, right.openings[i].direction);
-    }
-}
-
-template <class List, class Same>
-void expect_all(const List& left, const List& right, Same same) {
-    ASSERT_EQ(left.size(), right.size());
-    for (std::size_t i = 0; i < left.size(); ++i) same(left[i], right[i]);
-}
-
 void expect_equal(const model::LimitPoint& left, const model::LimitPoint& right) {
     EXPECT_EQ(left.step, right.step);
     EXPECT_EQ(left.pressure_Pa, right.pressure_Pa);
@@ -45,37 +27,6 @@ void expect_equal(const model::StatePoint& left, const model::StatePoint& right)
 }
 
 }  // namespace
-
-void expect_equal(const mesh::Mesh& left, const mesh::Mesh& right) {
-    EXPECT_EQ(left.dimension, right.dimension);
-    EXPECT_EQ(left.points, right.points);
-    EXPECT_EQ(left.cell_types, right.cell_types);
-    EXPECT_EQ(left.offsets, right.offsets);
-    EXPECT_EQ(left.connectivity, right.connectivity);
-    EXPECT_EQ(left.cell_regions, right.cell_regions);
-    EXPECT_EQ(left.region_names, right.region_names);
-    EXPECT_TRUE(left.facet_sets == right.facet_sets);
-    EXPECT_EQ(left.point_sets, right.point_sets);
-}
-
-void expect_equal(const model::Shape& left, const model::Shape& right) {
-    EXPECT_EQ(left.kinematics, right.kinematics);
-    EXPECT_EQ(left.model_fraction, right.model_fraction);
-    EXPECT_EQ(left.symmetry_planes, right.symmetry_planes);
-    EXPECT_EQ(left.axis, right.axis);
-    expect_all(left.supports, right.supports, [](const auto& a, const auto& b) {
-        EXPECT_EQ(a.face, b.face);
-        EXPECT_EQ(a.fixed, b.fixed);
-    });
-    expect_all(left.cavities, right.cavities, [](const auto& a, const auto& b) { expect_equal(a, b); });
-    EXPECT_EQ(left.region_materials, right.region_materials);
-    ASSERT_EQ(left.region_fibers.size(), right.region_fibers.size());
-    for (const auto& [region, winding] : left.region_fibers) {
-        ASSERT_TRUE(right.region_fibers.contains(region)) << region;
-        EXPECT_EQ(winding.fibers, right.region_fibers.at(region).fibers);
-        EXPECT_EQ(winding.frame, right.region_fibers.at(region).frame);
-    }
-}
 
 void expect_equal(const model::Step& left, const model::Step& right) {
     EXPECT_EQ(left.stage, right.stage);

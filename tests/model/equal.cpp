@@ -1,11 +1,9 @@
-#include "case_equal.hpp"
+#include "equal.hpp"
 
-#include <gtest/gtest.h>
-
-namespace soft::geometry::sample {
+namespace soft::model::test {
 namespace {
 
-void expect_equal(const model::Material& left, const model::Material& right) {
+void expect_equal(const Material& left, const Material& right) {
     EXPECT_EQ(left.name, right.name);
     EXPECT_EQ(left.law, right.law);
     EXPECT_EQ(left.constants, right.constants);
@@ -18,7 +16,12 @@ void expect_equal(const model::Material& left, const model::Material& right) {
     EXPECT_EQ(left.source, right.source);
 }
 
-void expect_equal(const model::Cavity& left, const model::Cavity& right) {
+void expect_equal(const Support& left, const Support& right) {
+    EXPECT_EQ(left.face, right.face);
+    EXPECT_EQ(left.fixed, right.fixed);
+}
+
+void expect_equal(const Cavity& left, const Cavity& right) {
     EXPECT_EQ(left.name, right.name);
     EXPECT_EQ(left.wall, right.wall);
     EXPECT_EQ(left.inner_faces, right.inner_faces);
@@ -30,19 +33,7 @@ void expect_equal(const model::Cavity& left, const model::Cavity& right) {
     }
 }
 
-void expect_equal(const mesh::Mesh& left, const mesh::Mesh& right) {
-    EXPECT_EQ(left.dimension, right.dimension);
-    EXPECT_EQ(left.points, right.points);
-    EXPECT_EQ(left.cell_types, right.cell_types);
-    EXPECT_EQ(left.offsets, right.offsets);
-    EXPECT_EQ(left.connectivity, right.connectivity);
-    EXPECT_EQ(left.cell_regions, right.cell_regions);
-    EXPECT_EQ(left.region_names, right.region_names);
-    EXPECT_TRUE(left.facet_sets == right.facet_sets);
-    EXPECT_EQ(left.point_sets, right.point_sets);
-}
-
-void expect_equal(const model::TimeFunction& left, const model::TimeFunction& right) {
+void expect_equal(const TimeFunction& left, const TimeFunction& right) {
     EXPECT_EQ(left.kind, right.kind);
     EXPECT_EQ(left.time_s, right.time_s);
     EXPECT_EQ(left.frequency_Hz, right.frequency_Hz);
@@ -50,7 +41,7 @@ void expect_equal(const model::TimeFunction& left, const model::TimeFunction& ri
     EXPECT_EQ(left.shares, right.shares);
 }
 
-void expect_equal(const std::optional<model::Dynamics>& left, const std::optional<model::Dynamics>& right) {
+void expect_equal(const std::optional<Dynamics>& left, const std::optional<Dynamics>& right) {
     ASSERT_EQ(left.has_value(), right.has_value());
     if (!left) return;
     EXPECT_EQ(left->integrator, right->integrator);
@@ -63,7 +54,7 @@ void expect_equal(const std::optional<model::Dynamics>& left, const std::optiona
     EXPECT_EQ(left->rows, right->rows);
 }
 
-void expect_equal(const model::SolverSettings& left, const model::SolverSettings& right) {
+void expect_equal(const SolverSettings& left, const SolverSettings& right) {
     EXPECT_EQ(left.residual_tolerance, right.residual_tolerance);
     EXPECT_EQ(left.newton, right.newton);
     EXPECT_EQ(left.line_search, right.line_search);
@@ -85,13 +76,7 @@ void expect_equal(const model::SolverSettings& left, const model::SolverSettings
     EXPECT_EQ(left.step_accuracy, right.step_accuracy);
 }
 
-template <class List, class Same>
-void expect_all(const List& left, const List& right, Same same) {
-    ASSERT_EQ(left.size(), right.size());
-    for (std::size_t i = 0; i < left.size(); ++i) same(left[i], right[i]);
-}
-
-void expect_equal(const model::Stage& left, const model::Stage& right) {
+void expect_equal(const Stage& left, const Stage& right) {
     EXPECT_EQ(left.name, right.name);
     EXPECT_EQ(left.control, right.control);
     EXPECT_EQ(left.controlled, right.controlled);
@@ -110,7 +95,35 @@ void expect_equal(const model::Stage& left, const model::Stage& right) {
 
 }  // namespace
 
-void expect_equal(const model::Case& left, const model::Case& right) {
+void expect_equal(const mesh::Mesh& left, const mesh::Mesh& right) {
+    EXPECT_EQ(left.dimension, right.dimension);
+    EXPECT_EQ(left.points, right.points);
+    EXPECT_EQ(left.cell_types, right.cell_types);
+    EXPECT_EQ(left.offsets, right.offsets);
+    EXPECT_EQ(left.connectivity, right.connectivity);
+    EXPECT_EQ(left.cell_regions, right.cell_regions);
+    EXPECT_EQ(left.region_names, right.region_names);
+    EXPECT_TRUE(left.facet_sets == right.facet_sets);
+    EXPECT_EQ(left.point_sets, right.point_sets);
+}
+
+void expect_equal(const Shape& left, const Shape& right) {
+    EXPECT_EQ(left.kinematics, right.kinematics);
+    EXPECT_EQ(left.model_fraction, right.model_fraction);
+    EXPECT_EQ(left.symmetry_planes, right.symmetry_planes);
+    EXPECT_EQ(left.axis, right.axis);
+    expect_all(left.supports, right.supports, [](const auto& a, const auto& b) { expect_equal(a, b); });
+    expect_all(left.cavities, right.cavities, [](const auto& a, const auto& b) { expect_equal(a, b); });
+    EXPECT_EQ(left.region_materials, right.region_materials);
+    ASSERT_EQ(left.region_fibers.size(), right.region_fibers.size());
+    for (const auto& [region, winding] : left.region_fibers) {
+        ASSERT_TRUE(right.region_fibers.contains(region)) << region;
+        EXPECT_EQ(winding.fibers, right.region_fibers.at(region).fibers);
+        EXPECT_EQ(winding.frame, right.region_fibers.at(region).frame);
+    }
+}
+
+void expect_equal(const Case& left, const Case& right) {
     EXPECT_EQ(left.name, right.name);
     EXPECT_EQ(left.kinematics, right.kinematics);
     EXPECT_EQ(left.formulation, right.formulation);
@@ -118,10 +131,7 @@ void expect_equal(const model::Case& left, const model::Case& right) {
     EXPECT_EQ(left.symmetry_planes, right.symmetry_planes);
     expect_equal(left.mesh, right.mesh);
     expect_all(left.materials, right.materials, [](const auto& a, const auto& b) { expect_equal(a, b); });
-    expect_all(left.supports, right.supports, [](const auto& a, const auto& b) {
-        EXPECT_EQ(a.face, b.face);
-        EXPECT_EQ(a.fixed, b.fixed);
-    });
+    expect_all(left.supports, right.supports, [](const auto& a, const auto& b) { expect_equal(a, b); });
     expect_all(left.cavities, right.cavities, [](const auto& a, const auto& b) { expect_equal(a, b); });
     expect_all(left.loads, right.loads, [](const auto& a, const auto& b) {
         EXPECT_EQ(a.name, b.name);
@@ -135,8 +145,7 @@ void expect_equal(const model::Case& left, const model::Case& right) {
         EXPECT_EQ(a.shape, b.shape);
         expect_equal(a.time_function, b.time_function);
         ASSERT_EQ(a.line.has_value(), b.line.has_value());
-        EXPECT_EQ(a.line.value_or(model::SupplyLine{}).resistance_Pa_s_m3,
-                  b.line.value_or(model::SupplyLine{}).resistance_Pa_s_m3);
+        EXPECT_EQ(a.line.value_or(SupplyLine{}).resistance_Pa_s_m3, b.line.value_or(SupplyLine{}).resistance_Pa_s_m3);
     });
     expect_all(left.tractions, right.tractions, [](const auto& a, const auto& b) {
         EXPECT_EQ(a.face, b.face);
@@ -171,4 +180,4 @@ void expect_equal(const model::Case& left, const model::Case& right) {
     expect_equal(left.dynamics, right.dynamics);
 }
 
-}  // namespace soft::geometry::sample
+}  // namespace soft::model::test
