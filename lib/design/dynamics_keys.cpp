@@ -74,10 +74,10 @@ void check_path_keys(const DynamicParts& parts, const Values& values) {
 
 void check_loads(const DynamicParts& parts, const Values& values) {
     for (const LoadEntry& load : parts.loads) {
-        if (load.kind == LoadKind::motion)
+        if (load.form->kind == LoadKind::motion)
             throw values.refuse(load.value, "a prescribed displacement is not supported in a dynamic analysis",
                                 "load the face by a pressure or a traction");
-        if (load.kind == LoadKind::gas && load.what != model::Prescription::pressure)
+        if (load.form->kind == LoadKind::gas && load.form->what != model::Prescription::pressure)
             throw values.refuse(
                 load.value, "a dynamic path takes a pressure as its supply",
                 "write pressure; with line: {resistance: 1e8 Pa.s/m^3} the cavity fills through a tube");

@@ -159,7 +159,8 @@ Keys path_section_keys() {
     const Node root = parse_fragment(
         "{outputs: {OUTPUT: {}}, path: {until: {pressure: 1, volume_ratio: 1, steps: 1, OUTPUT: 1}, stages: {STAGE: {}}}}",
         default_location);
-    const std::vector<LoadEntry> loads{{.path = "loads.CAVITY", .location = "", .name = "CAVITY"}};
+    const std::vector<LoadEntry> loads{
+        {.path = "loads.CAVITY", .location = "", .name = "CAVITY", .form = &load_forms().front()}};
     Schema schema;
     static_cast<void>(add_path_keys(schema, root, loads));
     append_keys(schema.keys, magnitude_keys("path.stages.STAGE.loads", When::stage_end));

@@ -96,11 +96,12 @@ LoadEntry add_load_keys_of(Schema& schema, const NamedLoad& load, const Node& de
             if (usual != nullptr) key.fallback = usual->text;
             schema.keys.push_back(std::move(key));
         }
-    return {load.path, load.member->location, load.name, form.kind, form.what, load.path + "." + form.word(), &form};
+    return {load.path, load.member->location, load.name, load.path + "." + form.word(), &form};
 }
 
 void refuse_zero(const LoadEntry& entry, double value, const Values& values) {
-    const bool ratio = entry.what == Prescription::volume_ratio, closed = entry.what == Prescription::closed;
+    const bool ratio = entry.form->what == Prescription::volume_ratio,
+               closed = entry.form->what == Prescription::closed;
     if (closed || value != (ratio ? 1.0 : 0.0)) return;
     throw values.refuse(entry.value, ratio ? "1 is where the path starts" : "a load of 0 gives no path",
                         "write the " + entry.form->word() + " at full load, for example " + entry.form->example);
@@ -126,14 +127,14 @@ void share_gas(const LoadEntry& entry, std::span<const LoadEntry> entries, Loads
     const auto owner = std::ranges::find(entries, other, &LoadEntry::name);
     if (owner == entries.end())
         throw values.refuse(path, "cavity " + core::quoted(other) + " has no load", "add it under loads.cavities");
-    if (owner->kind == LoadKind::shared_gas)
+    if (owner->form->kind == LoadKind::shared_gas)
         throw values.refuse(path, core::quoted(other) + " itself shares the gas of another cavity",
                             "write shares: " + values.text(owner->value));
     std::ranges::find(loads.pressures, other, &model::PressureLoad::name)->targets.push_back(entry.name);
 }
 
 LoadSlot add_load(const LoadEntry& entry, double value, Loads& loads, const Values& values) {
-    switch (entry.kind) {
+    switch (entry.form->kind) {
         case LoadKind::gas:
         case LoadKind::face_pressure:
             loads.pressures.push_back(pressure_load(entry, values));
@@ -178,7 +179,7 @@ std::vector<LoadEntry> add_load_keys(Schema& schema, const Node& root, const Nod
         if (schema.dynamic && entry.form->takes_time_function)
             add_time_function_keys(schema, load.path, load.member->value, examples);
         examples.try_emplace(entry.value, entry.form->example);
-        examples.try_emplace(entry.path + ".along", entry.kind == LoadKind::gravity ? "-x" : "y");
+        examples.try_emplace(entry.path + ".along", entry.form->kind == LoadKind::gravity ? "-x" : "y");
     }
     return entries;
 }
@@ -199,10 +200,10 @@ std::vector<StageLoad> add_stage_load_keys(Schema& schema, const Node& root, con
         if (std::ranges::find(found, index, &StageLoad::index) != found.end())
             refuse(load.member->location, load.path, core::quoted(load.name) + " is written twice",
                    "keep one of its names");
-        if (own->kind == LoadKind::shared_gas)
+        if (own->form->kind == LoadKind::shared_gas)
             refuse(load.member->location, load.path, "the cavity shares the gas of another cavity",
                    "change the load of that cavity");
-        const bool gas = own->kind == LoadKind::gas;
+        const bool gas = own->form->kind == LoadKind::gas;
         std::vector<std::string> words = words_of(load.target);
         std::erase(words, "shares");
         const LoadForm& form = gas ? form_of(load.target, only_word(load, words)) : *own->form;
@@ -218,7 +219,8 @@ Loads loads_of(std::span<const LoadEntry> entries, const Values& values) {
     std::vector<std::string> loaded;
     bool has_varying_load = false;
     for (const LoadEntry& entry : entries) {
-        const bool sharing = entry.kind == LoadKind::shared_gas, closed = entry.what == Prescription::closed;
+        const bool sharing = entry.form->kind == LoadKind::shared_gas,
+                   closed = entry.form->what == Prescription::closed;
         const double value = sharing || closed ? 0 : values.number(entry.value);
         if (!sharing) refuse_zero(entry, value, values);
         if (std::ranges::find(loaded, entry.name) != loaded.end())
@@ -229,7 +231,7 @@ Loads loads_of(std::span<const LoadEntry> entries, const Values& values) {
         has_varying_load = has_varying_load || !(sharing || closed);
     }
     for (const LoadEntry& entry : entries)
-        if (entry.kind == LoadKind::shared_gas) share_gas(entry, entries, loads, values);
+        if (entry.form->kind == LoadKind::shared_gas) share_gas(entry, entries, loads, values);
     if (!has_varying_load && !entries.empty())
         throw values.refuse(entries.front().value, "closed valves alone do not load the actuator", "add another load");
     return loads;

@@ -15,11 +15,9 @@ namespace soft::design {
 
 /// A load as written in `loads` or in a stage.
 struct LoadEntry {
-    std::string path;      ///< "loads.cavity", "loads.cavities.left", "path.stages.vent.loads.cavity"
-    std::string location;  ///< of its key
-    std::string name;      ///< resolved name of the cavity or face, or "gravity"
-    LoadKind kind = LoadKind::gas;
-    model::Prescription what = model::Prescription::pressure;
+    std::string path;        ///< "loads.cavity", "loads.cavities.left", "path.stages.vent.loads.cavity"
+    std::string location;    ///< of its key
+    std::string name;        ///< resolved name of the cavity or face, or "gravity"
     std::string value = {};  ///< path of the key with the magnitude: "loads.cavity.pressure"
     const LoadForm* form = nullptr;
 };

@@ -73,8 +73,9 @@ private:
         const std::string& name = values_.text(key);
         if (name == "first") return;
         const bool output = std::ranges::find(parts_.outputs, name) != parts_.outputs.end();
-        const bool cavity = std::ranges::any_of(
-            parts_.entries, [&](const LoadEntry& load) { return load.kind == LoadKind::gas && load.name == name; });
+        const bool cavity = std::ranges::any_of(parts_.entries, [&](const LoadEntry& load) {
+            return load.form->kind == LoadKind::gas && load.name == name;
+        });
         const bool fits =
             (stage.control == Control::displacement && output) || (stage.control == Control::volume && cavity);
         if (fits) {
@@ -87,7 +88,7 @@ private:
 
     void check_not_prescribed(const std::string& key, const model::Stage& stage) const {
         for (std::size_t i = 0; i < parts_.entries.size(); ++i) {
-            if (parts_.entries[i].kind != LoadKind::gas) continue;
+            if (parts_.entries[i].form->kind != LoadKind::gas) continue;
             const std::string& name = parts_.entries[i].name;
             if (!stage.controlled.empty() && name != stage.controlled) continue;
             const Prescription what = stage.supplies[parts_.loads.slots[i].index].what;
@@ -99,7 +100,7 @@ private:
     }
 
     [[nodiscard]] bool has(LoadKind kind) const {
-        return std::ranges::find(parts_.entries, kind, &LoadEntry::kind) != parts_.entries.end();
+        return std::ranges::any_of(parts_.entries, [&](const LoadEntry& load) { return load.form->kind == kind; });
     }
 
     [[nodiscard]] std::vector<model::Until> until(const StageEntry& entry) const {
@@ -147,7 +148,7 @@ void check_all_named(const PathParts& parts, const Values& values) {
         const bool named = std::ranges::any_of(parts.stages, [&](const StageEntry& stage) {
             return std::ranges::find(stage.loads, i, &StageLoad::index) != stage.loads.end();
         });
-        if (!named && load.kind != LoadKind::shared_gas)
+        if (!named && load.form->kind != LoadKind::shared_gas)
             throw values.refuse(load.value, "no stage names this load, so it would never act",
                                 "name it in one of path.stages, or take it out");
     }

@@ -138,7 +138,7 @@ std::vector<StageEntry> add_path_keys(Schema& schema, const Node& root, std::spa
     std::vector<std::string> controlled;
     for (const NamedOutput& output : outputs) controlled.push_back(output.name);
     for (const LoadEntry& load : loads)
-        if (load.kind == LoadKind::gas) controlled.push_back(load.name);
+        if (load.form->kind == LoadKind::gas) controlled.push_back(load.name);
     schema.keys.push_back(control_key("path"));
     schema.keys.push_back(controlled_key("path", std::move(controlled)));
     add_until_keys(schema, root, "path.until", outputs);
@@ -150,7 +150,8 @@ std::vector<StageEntry> add_path_keys(Schema& schema, const Node& root, std::spa
     if (!stages.empty()) return stages;
     StageEntry whole{"", "path", {}};
     for (std::size_t i = 0; i < loads.size(); ++i)
-        if (loads[i].kind != LoadKind::shared_gas) whole.loads.push_back({i, loads[i].what, loads[i].value});
+        if (loads[i].form->kind != LoadKind::shared_gas)
+            whole.loads.push_back({i, loads[i].form->what, loads[i].value});
     return {whole};
 }
 

@@ -97,7 +97,7 @@ constexpr Column<double> number_columns[]{
     {"damping_work", "J", "work dissipated by damping since time 0", moving<&Motion::damping_work_J>},
 };
 constexpr Column<int> count_columns[]{
-    {"stage", "1", "row of /control/stages", in_row<&Step::stage>},
+    {"stage", "1", "index of the stage in path.stages of the design", in_row<&Step::stage>},
     {"newton_iterations", "1", "iterations of the step, failed attempts included", in_row<&Step::newton_iterations>},
     {"factorizations", "1", "factorisations of the step", in_row<&Step::factorizations>},
 };

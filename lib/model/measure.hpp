@@ -123,10 +123,4 @@ static_assert(std::ranges::is_sorted(measures, {}, &MeasureInfo::measure), "in t
 [[nodiscard]] constexpr bool is_angle(Measure measure) { return unit_of(measure).dimension == core::Dimension::angle; }
 [[nodiscard]] constexpr bool is_reaction(Measure measure) { return info_of(measure).reaction; }
 
-inline constexpr auto all_measures = [] {
-    std::array<Measure, measures.size()> all{};
-    std::ranges::transform(measures, all.begin(), &MeasureInfo::measure);
-    return all;
-}();
-
 }  // namespace soft::model
