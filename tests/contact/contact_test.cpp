@@ -17,15 +17,20 @@ Motion right_block_moved(double x) {
     return [x](const Point& X) { return Point{X[0] + (X[0] >= 2 ? x : 0), X[1], X[2]}; };
 }
 
+/// The contact where the right block just touches the left one; expects none before.
+auto contact_of_blocks(const model::Case& model) {
+    const ContactFinder finder(model);
+    EXPECT_FALSE(contact(finder, model, right_block_moved(0)));
+    EXPECT_FALSE(contact(finder, model, right_block_moved(-1 + 1e-12)));
+    return contact(finder, model, right_block_moved(-1 - 1e-12));
+}
+
 class EveryCell : public testing::TestWithParam<Cells> {};
 
 TEST_P(EveryCell, ContactOfTwoBlocksOfASectionIsDetectedExactly) {
     for (const auto kinematics : {model::Kinematics::plane_strain, model::Kinematics::axisymmetric}) {
         const model::Case model = test::two_blocks(2, GetParam(), kinematics);
-        const ContactFinder finder(model);
-        EXPECT_FALSE(contact(finder, model, right_block_moved(0)));
-        EXPECT_FALSE(contact(finder, model, right_block_moved(-1 + 1e-12)));
-        const auto found = contact(finder, model, right_block_moved(-1 - 1e-12));
+        const auto found = contact_of_blocks(model);
         ASSERT_TRUE(found);
         EXPECT_NEAR(found->location[0], 1, 1e-11);
         EXPECT_GE(found->location[1], 0.4 - 1e-12);
@@ -38,10 +43,7 @@ TEST_P(EveryCell, ContactOfTwoBlocksOfASectionIsDetectedExactly) {
 
 TEST_P(EveryCell, ContactOfTwoSolidBlocksIsDetectedExactly) {
     const model::Case model = test::two_blocks(3, GetParam(), model::Kinematics::solid);
-    const ContactFinder finder(model);
-    EXPECT_FALSE(contact(finder, model, right_block_moved(0)));
-    EXPECT_FALSE(contact(finder, model, right_block_moved(-1 + 1e-12)));
-    const auto found = contact(finder, model, right_block_moved(-1 - 1e-12));
+    const auto found = contact_of_blocks(model);
     ASSERT_TRUE(found);
     EXPECT_NEAR(found->location[0], 1, 1e-11);
     EXPECT_NEAR(found->location[1], 0.5, 0.1 + 1e-12);
