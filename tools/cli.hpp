@@ -4,7 +4,7 @@
 ///   std::optional<SolveOptions> parse(int argc, char** argv) {
 ///       SolveOptions options;
 ///       CLI::App app;
-///       cli::add_input(app, options.input, "CASE", "case written by mesh-gen");
+///       cli::add_input(app, options.input, "CASE", "Case written by mesh-gen");
 ///       app.add_option("--fields", ...);
 ///       cli::add_common_options(app, options.common, about);
 ///       return cli::parse(app, about, options.common, argc, argv) ? std::optional{options} : std::nullopt;

@@ -1,4 +1,4 @@
-/// mesh-gen: a parametric design (YAML) -> a case (HDF5): mesh, materials, supports, loads.
+/// mesh-gen: a parametric design (YAML) -> a case (HDF5): mesh and complete design.
 ///     mesh-gen designs/bellows.yaml | solve | postprocess > curve.csv
 #include <nlohmann/json.hpp>
 

@@ -14,7 +14,7 @@ namespace {
 
 const About about{
     .tool = "mesh-gen",
-    .summary = "generates a case (HDF5: mesh, materials, supports, loads) from a parametric design (YAML)",
+    .summary = "generates a case (HDF5: mesh and complete design) from a parametric design (YAML)",
     .examples = {{"mesh-gen designs/bellows.yaml | solve | postprocess > curve.csv",
                   "Complete pipeline from design to curve"},
                  {"mesh-gen --template tube | mesh-gen - --set geometry.cap=6mm -o tube.h5",

@@ -140,7 +140,7 @@ std::optional<PostprocessOptions> parse_postprocess_options(int argc, char** arg
     PostprocessOptions options;
     CLI::App app;
     const cli::About& about = postprocess_about();
-    cli::add_input(app, options.input, "RESULT", "result written by solve");
+    cli::add_input(app, options.input, "RESULT", "Result written by solve");
     repeatable(
         app.add_option("--at", options.at,
                        "Print only the states at these values, by cubic interpolation along the path (repeatable)"))

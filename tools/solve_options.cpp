@@ -68,7 +68,7 @@ std::optional<SolveOptions> parse_solve_options(int argc, char** argv) {
     SolveOptions options;
     options.petsc = take_library_options(argc, argv);
     CLI::App app;
-    add_input(app, options.input, "CASE", "case written by mesh-gen");
+    add_input(app, options.input, "CASE", "Case written by mesh-gen");
     app.add_option("--fields", options.fields,
                    "Steps whose displacements and pressures are stored: all, last, none or every=N")
         ->type_name("WHICH")
