@@ -11,6 +11,7 @@
 #include "material/form.hpp"
 #include "mesh/mesh.hpp"
 #include "model/measure.hpp"
+#include "model/obstacle.hpp"
 #include "model/settings.hpp"
 
 namespace soft::model {
@@ -121,9 +122,9 @@ struct BodyForce {
     TimeFunction time_function = {};
 };
 
-/// A prescribed displacement of a face; components without a value are free.
+/// A prescribed displacement of a face or of an obstacle. Components without a value are free; those of an obstacle are fixed.
 struct Motion {
-    std::string face;
+    std::string face;  ///< or the name of an obstacle
     std::array<std::optional<double>, 3> displacement_m;  ///< at level 1; axisymmetric: x, r, unused
 };
 
@@ -172,7 +173,7 @@ struct Stage {
 
 /// Behaviour at a bifurcation and at contact.
 enum class Branch { stay, follow };
-enum class Contact { stop, ignore };
+enum class Contact { solve, stop, ignore };
 
 inline constexpr int max_frequencies = 50;
 
@@ -180,7 +181,8 @@ struct PathSettings {
     std::vector<Stage> stages;
     Branch branch = Branch::stay;     ///< follow: switch to the other branch at the first bifurcation of the path
     double imperfection_m = 1e-4;     ///< perturbation used to switch branches: maximum displacement of the scaled mode
-    Contact contact = Contact::stop;  ///< behaviour where walls of the actuator touch
+    /// Behaviour where walls of the actuator touch each other. Obstacles are always respected.
+    Contact contact = Contact::solve;
     double stretch_limit = 10;        ///< stretch_p99 beyond which a load that cannot be reached is abandoned
     int frequencies = 0;  ///< number of natural frequencies of each row of a static path, at most max_frequencies
 };
@@ -199,6 +201,8 @@ struct Case {
     std::vector<TractionLoad> tractions;
     std::vector<BodyForce> body_forces;
     std::vector<Motion> motions;
+    std::vector<Obstacle> obstacles;
+    ContactSettings contact;
     std::vector<Output> outputs;
     PathSettings path;
     SolverSettings solver;
