@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "math/vector.hpp"
 #include "mesh/mesh.hpp"
 
 namespace soft::model {
