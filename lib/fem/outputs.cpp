@@ -8,8 +8,8 @@
 
 namespace soft::fem {
 
-Outputs::Outputs(const Discretization& fe, const Loads& loads, LocalState& state)
-    : fe_(fe), loads_(loads), state_(state) {
+Outputs::Outputs(const Discretization& fe, const Loads& loads, Contact& contact, LocalState& state)
+    : fe_(fe), loads_(loads), contact_(contact), state_(state) {
     for (const auto& output : fe.input.outputs) forms_.push_back(make(output));
 }
 
@@ -122,7 +122,7 @@ double Outputs::shape(const WholeFace& output, Slopes& slopes) const {
 double Outputs::reaction(const Reaction& output, Vec gradient, LoadLevels* by_levels) const {
     std::vector<double> none;
     Slopes slopes(fe_, gradient, by_levels != nullptr ? by_levels->motions : none);
-    double value = output.copies * own_value(output, {fe_, loads_, state_}, slopes, by_levels);
+    double value = output.copies * own_value(output, {fe_, loads_, contact_, state_}, slopes, by_levels);
     MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_SUM, fe_.comm);
     slopes.finish();
     if (gradient != nullptr) SOFT_PETSC(VecScale(gradient, output.copies));

@@ -12,8 +12,8 @@ namespace soft::fem {
 
 class Outputs {
 public:
-    /// All three must outlive this object. Throws Error (bad_input, location outputs.<name>) for a measure that the case cannot have.
-    Outputs(const Discretization& fe, const Loads& loads, LocalState& state);
+    /// All four must outlive this object. Throws Error (bad_input, location outputs.<name>) for a measure that the case cannot have.
+    Outputs(const Discretization& fe, const Loads& loads, Contact& contact, LocalState& state);
 
     /// Value (SI, model::unit_of) under the levels last prescribed; `gradient` by x and the derivatives by the levels are overwritten;
     /// nullptr if not needed. Angles lie in (-pi, pi]. Collective.
@@ -46,6 +46,7 @@ private:
 
     const Discretization& fe_;
     const Loads& loads_;
+    Contact& contact_;
     LocalState& state_;
     std::vector<Form> forms_;  // by Case::outputs
 };

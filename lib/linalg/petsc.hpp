@@ -30,7 +30,8 @@ public:
         if (handle_ != nullptr) (void)Destroy(&handle_);
     }
     [[nodiscard]] Handle get() const noexcept { return handle_; }
-    operator Handle() const noexcept { return handle_; }       // NOLINT(google-explicit-constructor): for PETSc's calls
+    operator Handle() const noexcept { return handle_; }  // NOLINT(google-explicit-constructor): for PETSc's calls
+    [[nodiscard]] Handle release() noexcept { return std::exchange(handle_, nullptr); }
     [[nodiscard]] Handle* out() noexcept { return &handle_; }  ///< for PETSc's create functions
 
 private:

@@ -1,6 +1,7 @@
 #pragma once
 /// The typed case: mesh-gen writes it to the HDF5 file and solve reads it. Plain data in SI units.
 /// Loads are given for the WHOLE actuator; `model_fraction` is the fraction of it that the mesh represents (1, 1/2, 1/4).
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
@@ -124,7 +125,7 @@ struct BodyForce {
 
 /// A prescribed displacement of a face or of an obstacle. Components without a value are free; those of an obstacle are fixed.
 struct Motion {
-    std::string face;  ///< or the name of an obstacle
+    std::string face;                                     ///< or the name of an obstacle
     std::array<std::optional<double>, 3> displacement_m;  ///< at level 1; axisymmetric: x, r, unused
 };
 
@@ -179,12 +180,12 @@ inline constexpr int max_frequencies = 50;
 
 struct PathSettings {
     std::vector<Stage> stages;
-    Branch branch = Branch::stay;     ///< follow: switch to the other branch at the first bifurcation of the path
-    double imperfection_m = 1e-4;     ///< perturbation used to switch branches: maximum displacement of the scaled mode
+    Branch branch = Branch::stay;  ///< follow: switch to the other branch at the first bifurcation of the path
+    double imperfection_m = 1e-4;  ///< perturbation used to switch branches: maximum displacement of the scaled mode
     /// Behaviour where walls of the actuator touch each other. Obstacles are always respected.
     Contact contact = Contact::solve;
-    double stretch_limit = 10;        ///< stretch_p99 beyond which a load that cannot be reached is abandoned
-    int frequencies = 0;  ///< number of natural frequencies of each row of a static path, at most max_frequencies
+    double stretch_limit = 10;  ///< stretch_p99 beyond which a load that cannot be reached is abandoned
+    int frequencies = 0;        ///< number of natural frequencies of each row of a static path, at most max_frequencies
 };
 
 struct Case {
@@ -208,6 +209,11 @@ struct Case {
     SolverSettings solver;
     std::optional<Dynamics> dynamics;  ///< nullopt: a static path
 };
+
+/// Whether a motion is that of an obstacle, not of a face.
+[[nodiscard]] inline bool moves_obstacle(const Case& input, const Motion& motion) {
+    return std::ranges::any_of(input.obstacles, [&](const Obstacle& obstacle) { return obstacle.name == motion.face; });
+}
 
 /// The cavities whose volume is measured: the targets of all loads, in the order of the loads and their targets.
 [[nodiscard]] inline std::vector<const Cavity*> measured_cavities(const Case& input) {

@@ -193,11 +193,33 @@ std::optional<Event> locate_bifurcation(Corrector& corrector, const PathState& p
                  std::move(mode)};
 }
 
+contact::Summary contact_at(Corrector& corrector, const PathState& path, const State& state) {
+    corrector.system().prescribe(path.loads->levels(state.load_factor, state.pressures_Pa));
+    return corrector.system().contact().measure(state.x);
+}
+
+/// Bisects on the cubic between both states, then solves for the last state without contact that it gives.
+std::optional<Event> locate_first_contact(Corrector& corrector, const PathState& path, const PathPoint& to) {
+    const PathPoint& from = *path.last;
+    if (!to.touches || from.touches) return std::nullopt;
+    contact::Summary touch = contact_at(corrector, path, to.state);
+    double apart = from.q, touching = to.q;
+    for (int i = 0; i < contact_halvings; ++i) {
+        const double q = 0.5 * (apart + touching);
+        const contact::Summary here = contact_at(corrector, path, predict(&from, to, q));
+        (here.touches() ? touching : apart) = q;
+        if (here.touches()) touch = here;
+    }
+    auto point = corrector.solve_between(frame_of(path), from, to, apart > from.q ? apart : touching);
+    if (!point) return std::nullopt;
+    return Event{Event::Kind::first_contact, std::move(*point), 0, {}, touch.touched, *touch.location};
+}
+
 }  // namespace
 
 std::optional<ContactEvent> find_contact(Corrector& corrector, const PathState& path, const Listeners& listeners,
                                          PathPoint& point) {
-    if (!listeners.contact || corrector.input().path.contact == model::Contact::ignore) return std::nullopt;
+    if (!listeners.contact || corrector.input().path.contact != model::Contact::stop) return std::nullopt;
     const auto contact_at = [&](const PathPoint& at) {
         corrector.system().prescribe(at.levels);
         return listeners.contact(at.state.x);
@@ -221,6 +243,12 @@ std::optional<ContactEvent> find_contact(Corrector& corrector, const PathState& 
     }
     if (free) point = std::move(*free);
     return touching;
+}
+
+std::optional<ContactEvent> find_crossing(Corrector& corrector, const Listeners& listeners, const PathPoint& point) {
+    if (!listeners.contact || corrector.input().path.contact != model::Contact::solve) return std::nullopt;
+    corrector.system().prescribe(point.levels);
+    return listeners.contact(point.state.x);
 }
 
 Events events_before(const PathPoint& to, Corrector& corrector, const PathState& path, const Listeners& listeners) {
@@ -254,6 +282,7 @@ Events events_before(const PathPoint& to, Corrector& corrector, const PathState&
             event->modes = std::abs(*after - *before);
             events.list.push_back(std::move(*event));
         }
+    if (auto touch = locate_first_contact(corrector, path, to)) events.list.push_back(std::move(*touch));
     const double sense = path.direction();
     std::ranges::stable_sort(events.list,
                              [&](const Event& a, const Event& b) { return sense * a.point.q < sense * b.point.q; });

@@ -301,7 +301,7 @@ std::vector<double> example_pressure(int number) {
 }
 
 model::PathEnd example_end() {
-    model::PathEnd end{model::StopReason::limit_point, "the pressure has a maximum", {}, {}, 21, 17};
+    model::PathEnd end{model::StopReason::limit_point, "the pressure has a maximum", {}, {}, {}, 21, 17};
     end.limit_points = {{1, 44338.7, 2e-5, {0.01345, 0}}};
     end.bifurcations.resize(2);
     end.bifurcations[0].at = {0, 26e3, 1.8e-5, {0.011, 0.1}};

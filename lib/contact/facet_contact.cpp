@@ -1,0 +1,180 @@
+#include "contact/facet_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace soft::contact {
+
+namespace {
+
+using mesh::Point;
+
+/// A point behind a facet by less than this overlaps with it: fractions of the undeformed distance and of the facet's size.
+constexpr double overlap_share_of_size = 0.5;
+constexpr double share_of_initial_gap = 0.1;
+/// Two points of the undeformed body this close (fraction of the facet's size) are the same.
+constexpr double same_point = 1e-9;
+/// Fraction of h: below it the curvature of the distance is lost in rounding.
+constexpr double no_gap = 1e-6;
+/// Keys of the blocks of smooth obstacles, after those of facets and faceted obstacles.
+constexpr std::size_t smooth_keys = std::size_t{1} << 60;
+
+/// Distance of a point from the same feature in the undeformed state.
+double undeformed_distance(const surface::FacetMap& map, const Feature& feature, const Point& X) {
+    switch (feature.kind) {
+        case Feature::Kind::facet: return closest_point(map, X).distance_m;
+        case Feature::Kind::edge: return closest_on_edge(map, feature.k, X).distance_m;
+        case Feature::Kind::corner: return at_corner(map, feature.k, X).distance_m;
+    }
+    return 0;
+}
+
+}  // namespace
+
+FacetContact::FacetContact(const ContactState& at, std::size_t facet, std::span<const std::size_t> others,
+                           Summary& summary)
+    : at_(at), entry_(at.surface.entries()[facet]), map_(at.shape.maps[facet]), others_(others), summary_(summary) {
+    const Point& middle = map_.nodes[0];
+    double radius = at.surface.distance_m();
+    for (std::size_t a = 0; a < entry_.nodes.size(); ++a)
+        radius = std::max(radius, at.surface.distance_m() + 1.5 * norm(difference(map_.nodes[a], middle)));
+    for (const SmoothObstacle& obstacle : at.smooth)
+        if (obstacle.distance(at.shifted_back(middle, obstacle.index)).value_m < radius) near_.push_back(&obstacle);
+}
+
+void FacetContact::add(const std::function<void(const Block&)>& to) {
+    if (near_.empty() && others_.empty()) return;
+    for (std::size_t q = 0; q < entry_.X.size(); ++q) {
+        const auto now = map_(entry_.rule->xi[q]);
+        const double stretch = stretch_at(q, now);
+        if (!others_.empty()) add_features(q, now.x, stretch);
+        for (const SmoothObstacle* obstacle : near_) add_smooth(q, now.x, *obstacle, stretch);
+    }
+    for (const auto& [key, block] : blocks_) to(block);
+}
+
+double FacetContact::stretch_at(std::size_t q, const surface::FacetMap::Value& now) const {
+    const auto undeformed = entry_.undeformed(entry_.rule->xi[q]);
+    const double around = at_.surface.is_revolved() && entry_.X[q][1] > 0 ? now.x[1] / entry_.X[q][1] : 1;
+    return around * norm(cross(now.t1, now.t2)) / norm(cross(undeformed.t1, undeformed.t2));
+}
+
+Block& FacetContact::block_of(std::size_t key, int obstacle, std::span<const mesh::Index> others) {
+    const auto known = blocks_.find(key);
+    if (known != blocks_.end()) return known->second;
+    Block block;
+    block.nodes = entry_.nodes;
+    block.nodes.insert(block.nodes.end(), others.begin(), others.end());
+    block.obstacle = obstacle;
+    block.dimension = at_.surface.dimension();
+    const std::size_t size = block.points() * block.dimension;
+    block.gradient.assign(size, 0);
+    block.hessian.assign(at_.wanted == Wanted::hessian ? size * size : 0, 0);
+    return blocks_.emplace(key, std::move(block)).first->second;
+}
+
+void FacetContact::note(std::size_t q, int obstacle, double share, const Barrier& b, double stretch) {
+    const std::size_t k = obstacle >= 0 ? static_cast<std::size_t>(obstacle) : summary_.area_m2.size() - 1;
+    const double pressure = -entry_.stiffness_Pa * b.slope / stretch;
+    summary_.area_m2[k] += share * entry_.weight_m2[q];
+    summary_.pressure_Pa[k] = std::max(summary_.pressure_Pa[k], pressure);
+    if (summary_.location && pressure <= summary_.max_pressure_Pa) return;
+    summary_.max_pressure_Pa = pressure;
+    summary_.location = entry_.X[q];
+    summary_.touched = obstacle;
+}
+
+bool FacetContact::may_touch(std::size_t j, const Point& x) const {
+    const auto& other = at_.surface.entries()[j];
+    const double size = other.obstacle < 0 ? other.size_m : entry_.size_m;
+    return closest_point(at_.shape.maps[j], x).distance_m <
+           std::max(at_.surface.distance_m(), overlap_share_of_size * size);
+}
+
+void FacetContact::add_features(std::size_t q, const Point& x, double stretch) {
+    std::map<int, std::vector<std::size_t>> facets;  // by obstacle, -1: the actuator
+    for (const std::size_t j : others_) {
+        const auto& other = at_.surface.entries()[j];
+        if (outside(at_.shape.boxes[j], x) > 0 || !may_touch(j, x)) continue;
+        if (other.obstacle < 0 && closest_point(other.undeformed, entry_.X[q]).distance_m <= same_point * entry_.size_m)
+            continue;
+        facets[other.obstacle].push_back(j);
+    }
+    for (const auto& [obstacle, list] : facets)
+        for (const Feature& feature : features_near(at_.surface, at_.shape.maps, list, x))
+            add_feature(q, x, feature, stretch);
+}
+
+/// The derivatives of the distance d follow from those of f = d^2/2: grad d = n and d hess d = hess f - n n^T.
+void FacetContact::add_feature(std::size_t q, const Point& x, const Feature& feature, double stretch) {
+    const auto& other = at_.surface.entries()[feature.facet];
+    const bool itself = other.obstacle < 0;
+    const double h = at_.surface.distance_m(), distance = feature.closest.distance_m,
+                 size = itself ? other.size_m : entry_.size_m;
+    const FacetJet y = jet(at_.shape.maps[feature.facet], feature.closest.xi);
+    const Vector3 r = difference(x, y.y);
+    const bool behind = dot(r, feature.normal) < 0;
+    if (distance >= (behind ? overlap_share_of_size * size : h)) return;
+    double reach = h, gap = behind ? -distance : distance;
+    if (itself) {
+        const double initial = undeformed_distance(other.undeformed, feature, entry_.X[q]);
+        if (behind && distance > overlap_share_of_distance * initial) return;
+        reach = std::min(h, share_of_initial_gap * initial);
+    } else {
+        gap += at_.surface.initial_overlap_m(entry_, q, other.obstacle);
+    }
+    if (gap >= reach || reach <= 0) return;
+    const Barrier b = barrier(gap, reach);
+    const double share = itself ? 0.5 : 1.0, d = behind ? -distance : distance,
+                 scale = feature.coefficient * share * entry_.weight_m2[q] * entry_.stiffness_Pa,
+                 by_f = distance > no_gap * h ? scale * b.slope / d : 0;
+    const Vector3 n = distance > 0 ? along({}, 1 / d, r) : along({}, 1 / norm(feature.normal), feature.normal);
+    Vector3 g{};
+    std::array<Vector3, 3> H{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        g[k] = scale * b.slope * n[k];
+        for (std::size_t l = 0; l < 3; ++l)
+            H[k][l] = (scale * b.curvature_1_m - by_f) * n[k] * n[l] + (k == l ? by_f : 0);
+    }
+    summary_.energy_J += scale * b.value_m;
+    const std::size_t own = entry_.nodes.size();
+    std::vector<double> weights(&entry_.rule->N[q * own], &entry_.rule->N[q * own] + own);
+    if (itself)
+        for (std::size_t c = 0; c < other.nodes.size(); ++c) weights.push_back(-y.N[c]);
+    else
+        weights.push_back(-1);
+    Block& block =
+        itself ? block_of(feature.facet, -1, other.nodes)
+               : block_of(at_.surface.entries().size() + static_cast<std::size_t>(other.obstacle), other.obstacle, {});
+    add_function(block, weights, g, H);
+    if (by_f != 0 && !block.hessian.empty()) add_sliding(block, weights, y, feature.closest, r, own, by_f);
+    if (feature.is_closest) note(q, other.obstacle, share, b, stretch);
+}
+
+void FacetContact::add_smooth(std::size_t q, const Point& x, const SmoothObstacle& obstacle, double stretch) {
+    const Distance d = obstacle.distance(at_.shifted_back(x, obstacle.index));
+    const double h = at_.surface.distance_m(), initial = obstacle.distance(entry_.X[q]).value_m;
+    const bool mirror = obstacle.index < 0;
+    if (mirror && initial <= same_point * entry_.size_m) return;
+    const double reach = mirror ? std::min(h, share_of_initial_gap * initial) : h,
+                 gap = d.value_m + (mirror ? 0 : std::max(h - initial, 0.0));
+    if (gap >= reach) return;
+    const Barrier b = barrier(gap, reach);
+    const std::size_t nodes = entry_.nodes.size();
+    std::vector<double> weights(&entry_.rule->N[q * nodes], &entry_.rule->N[q * nodes] + nodes);
+    if (!mirror) weights.push_back(-1);
+    const double scale = entry_.weight_m2[q] * entry_.stiffness_Pa;
+    summary_.energy_J += scale * b.value_m;
+    Vector3 g{};
+    std::array<Vector3, 3> H{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        g[k] = scale * b.slope * d.gradient[k];
+        for (std::size_t l = 0; l < 3; ++l)
+            H[k][l] = scale * (b.curvature_1_m * d.gradient[k] * d.gradient[l] + b.slope * d.hessian[k][l]);
+    }
+    const auto key = smooth_keys + static_cast<std::size_t>(&obstacle - at_.smooth.data());
+    add_function(block_of(key, obstacle.index, {}), weights, g, H);
+    note(q, obstacle.index, 1, b, stretch);
+}
+
+}  // namespace soft::contact

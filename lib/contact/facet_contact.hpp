@@ -1,0 +1,65 @@
+#pragma once
+/// Contact of one facet of the actuator with other facets and obstacles. Private to the module. Tested by contact/potential_test.
+#include <functional>
+#include <map>
+#include <optional>
+
+#include "contact/barrier.hpp"
+#include "contact/distance.hpp"
+#include "contact/features.hpp"
+#include "contact/potential.hpp"
+
+namespace soft::contact {
+
+/// A point behind a facet by less than this fraction of its undeformed distance overlaps with it; by more, rubber is between them.
+inline constexpr double overlap_share_of_distance = 0.2;
+
+/// An obstacle with a smooth surface, or a mirror plane (index -1).
+struct SmoothObstacle {
+    int index = -1;
+    std::function<Distance(const mesh::Point&)> distance;
+};
+
+/// What all facets of one evaluation share.
+struct ContactState {
+    const ContactSurface& surface;
+    const ContactSurface::Shape& shape;
+    std::span<const SmoothObstacle> smooth;
+    std::span<const Vector3> shifts;
+    Wanted wanted;
+
+    /// A point relative to an obstacle's undisplaced position.
+    [[nodiscard]] mesh::Point shifted_back(const mesh::Point& x, int obstacle) const {
+        return obstacle < 0 ? x : along(x, -1, shifts[static_cast<std::size_t>(obstacle)]);
+    }
+};
+
+class FacetContact {
+public:
+    /// `others`: entries of the surface near this one.
+    FacetContact(const ContactState& at, std::size_t facet, std::span<const std::size_t> others, Summary& summary);
+
+    /// Sums over the sample points and passes the blocks on.
+    void add(const std::function<void(const Block&)>& to);
+
+private:
+    /// Whether a point is close enough to a facet to touch it, or behind it.
+    [[nodiscard]] bool may_touch(std::size_t j, const mesh::Point& x) const;
+    void add_features(std::size_t q, const mesh::Point& x, double stretch);
+    void add_feature(std::size_t q, const mesh::Point& x, const Feature& feature, double stretch);
+    void add_smooth(std::size_t q, const mesh::Point& x, const SmoothObstacle& obstacle, double stretch);
+    void note(std::size_t q, int obstacle, double share, const Barrier& b, double stretch);
+    [[nodiscard]] Block& block_of(std::size_t key, int obstacle, std::span<const mesh::Index> others);
+    /// Deformed over undeformed area.
+    [[nodiscard]] double stretch_at(std::size_t q, const surface::FacetMap::Value& now) const;
+
+    const ContactState& at_;
+    const ContactSurface::Entry& entry_;
+    const surface::FacetMap& map_;
+    std::span<const std::size_t> others_;
+    Summary& summary_;
+    std::vector<const SmoothObstacle*> near_;
+    std::map<std::size_t, Block> blocks_;
+};
+
+}  // namespace soft::contact
