@@ -18,10 +18,10 @@ void add_function(Block& block, std::span<const double> weights, const Vector3& 
 }
 
 void add_sliding(Block& block, std::span<const double> weights, const FacetJet& y, const ClosestPoint& closest,
-                 const Vector3& r, std::size_t first_node, double factor) {
+                 const Vector3& r, std::span<const mesh::ShapeValue> dN, double factor) {
     const auto count = static_cast<std::size_t>(closest.free);
     if (count == 0) return;
-    const std::size_t n = block.points(), size = n * block.dimension;
+    const std::size_t n = block.points(), size = n * block.dimension, first = n - dN.size();
     std::array<std::vector<double>, 2> v;
     std::array<std::array<double, 2>, 2> h{};
     for (std::size_t a = 0; a < count; ++a) {
@@ -32,10 +32,9 @@ void add_sliding(Block& block, std::span<const double> weights, const FacetJet& 
         for (std::size_t i = 0; i < block.dimension; ++i)
             for (std::size_t c = 0; c < n; ++c) {
                 v[a][i * n + c] = -weights[c] * t[i];
-                const bool on_facet = block.obstacle < 0 && c >= first_node;
-                if (on_facet)
-                    v[a][i * n + c] -=
-                        (along_a[0] * y.dN[0][c - first_node] + along_a[1] * y.dN[1][c - first_node]) * r[i];
+                if (c < first) continue;
+                const auto& slope = dN[c - first].gradient;
+                v[a][i * n + c] -= (along_a[0] * slope[0] + along_a[1] * slope[1]) * r[i];
             }
         for (std::size_t b = 0; b < count; ++b) {
             const auto& along_b = closest.directions[b];

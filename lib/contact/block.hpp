@@ -6,6 +6,7 @@
 
 #include "contact/closest_point.hpp"
 #include "mesh/mesh.hpp"
+#include "mesh/shape.hpp"
 
 namespace soft::contact {
 
@@ -26,8 +27,9 @@ void add_function(Block& block, std::span<const double> weights, const Vector3& 
 
 /// Adds to the Hessian `factor` times what the motion of the closest point along its facet contributes to that of half the squared
 /// distance f: -v^T h^-1 v, with h = d2f/dxi dxi and v = d2f/dxi du. r: from the closest point, the facet's map at which is `y`, to the
-/// point. The facet's nodes start at `first_node`; those of an obstacle do not move.
+/// point. `dN`: derivatives of the shape functions of the facet's nodes, the last of the block; empty for an obstacle, whose nodes do
+/// not move relative to each other.
 void add_sliding(Block& block, std::span<const double> weights, const FacetJet& y, const ClosestPoint& closest,
-                 const Vector3& r, std::size_t first_node, double factor);
+                 const Vector3& r, std::span<const mesh::ShapeValue> dN, double factor);
 
 }  // namespace soft::contact

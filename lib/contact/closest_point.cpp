@@ -5,14 +5,11 @@
 #include <limits>
 #include <optional>
 
-#include "mesh/shape.hpp"
-
 namespace soft::contact {
 
 namespace {
 
 using mesh::Point;
-using surface::FacetMap;
 using surface::FacetPoint;
 
 constexpr int iteration_limit = 50;
@@ -64,12 +61,12 @@ std::array<double, 2> newton_step(const Derivatives& f, std::size_t count) {
             (-f.gradient[1] * m[0][0] + f.gradient[0] * m[1][0]) / det};
 }
 
-double distance_at(const FacetMap& facet, const FacetPoint& xi, const Point& x) {
+double distance_at(const Patch& facet, const FacetPoint& xi, const Point& x) {
     return norm(difference(facet(xi).x, x));
 }
 
 /// Minimum in the interior; nullopt if the search leaves the facet.
-std::optional<ClosestPoint> search_interior(const FacetMap& facet, const Point& x, FacetPoint xi) {
+std::optional<ClosestPoint> search_interior(const Patch& facet, const Point& x, FacetPoint xi) {
     const mesh::Shape shape = mesh::topology(facet.type).shape;
     const std::size_t count = shape == mesh::Shape::line ? 1 : 2;
     const std::array<FacetPoint, 2> directions{FacetPoint{1, 0}, FacetPoint{0, 1}};
@@ -89,35 +86,16 @@ std::optional<ClosestPoint> search_interior(const FacetMap& facet, const Point& 
 
 }  // namespace
 
-FacetJet jet(const FacetMap& facet, const FacetPoint& xi) {
-    const auto nodes = static_cast<std::size_t>(mesh::node_count(facet.type));
-    const std::size_t directions = mesh::dimension(facet.type) == 1 ? 1 : 2;
-    FacetJet at;
-    std::array<mesh::ShapeValue, 9> shapes, before, after;
-    mesh::shape_values(facet.type, {xi[0], xi[1], 0}, std::span{shapes}.first(nodes));
-    for (std::size_t a = 0; a < nodes; ++a) {
-        at.N[a] = shapes[a].value;
-        for (std::size_t i = 0; i < directions; ++i) at.dN[i][a] = shapes[a].gradient[i];
-        for (std::size_t d = 0; d < 3; ++d) {
-            at.y[d] += shapes[a].value * facet.nodes[a][d];
-            for (std::size_t i = 0; i < directions; ++i) at.first[i][d] += shapes[a].gradient[i] * facet.nodes[a][d];
-        }
-    }
-    if (mesh::topology(facet.type).order == 1 && mesh::topology(facet.type).shape != mesh::Shape::quadrilateral)
-        return at;
-    // The gradients are polynomials of degree 2 at most in each coordinate: central differences are exact.
-    constexpr double step = 0.5;
-    for (std::size_t j = 0; j < directions; ++j) {
-        FacetPoint low = xi, high = xi;
-        low[j] -= step;
-        high[j] += step;
-        mesh::shape_values(facet.type, {low[0], low[1], 0}, std::span{before}.first(nodes));
-        mesh::shape_values(facet.type, {high[0], high[1], 0}, std::span{after}.first(nodes));
-        for (std::size_t a = 0; a < nodes; ++a)
-            for (std::size_t i = 0; i < directions; ++i)
-                for (std::size_t d = 0; d < 3; ++d)
-                    at.second[i][j][d] +=
-                        (after[a].gradient[i] - before[a].gradient[i]) / (2 * step) * facet.nodes[a][d];
+FacetJet jet(const Patch& facet, const FacetPoint& xi) {
+    const auto [s, t] = xi;
+    const auto value = facet(xi);
+    FacetJet at{value.x, {value.t1, facet.is_line() ? Vector3{} : value.t2}, {}};
+    const auto& c = facet.c;
+    for (std::size_t d = 0; d < 3; ++d) {
+        at.second[0][0][d] = 2 * (c[6][d] + t * (c[7][d] + t * c[8][d]));
+        if (facet.is_line()) continue;
+        at.second[1][1][d] = 2 * (c[2][d] + s * (c[5][d] + s * c[8][d]));
+        at.second[0][1][d] = at.second[1][0][d] = c[4][d] + 2 * s * c[7][d] + 2 * t * c[5][d] + 4 * s * t * c[8][d];
     }
     return at;
 }
@@ -126,7 +104,7 @@ std::array<std::size_t, 2> edge_corners(mesh::CellType facet, std::size_t k) {
     return {k, (k + 1) % static_cast<std::size_t>(mesh::topology(facet).vertex_count)};
 }
 
-ClosestPoint closest_on_edge(const FacetMap& facet, std::size_t k, const Point& x) {
+ClosestPoint closest_on_edge(const Patch& facet, std::size_t k, const Point& x) {
     const auto [first, last] = edge_corners(facet.type, k);
     const auto &a = mesh::topology(facet.type).nodes[first], &b = mesh::topology(facet.type).nodes[last];
     const FacetPoint half{0.5 * (b[0] - a[0]), 0.5 * (b[1] - a[1])}, middle{0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])};
@@ -147,12 +125,12 @@ ClosestPoint closest_on_edge(const FacetMap& facet, std::size_t k, const Point& 
     return {distance_at(facet, at(s), x), at(s), {half, {}}, std::abs(s) == 1.0 ? 0 : 1, k, false};
 }
 
-ClosestPoint at_corner(const FacetMap& facet, std::size_t corner, const Point& x) {
+ClosestPoint at_corner(const Patch& facet, std::size_t corner, const Point& x) {
     const auto& xi = mesh::topology(facet.type).nodes[corner];
     return {norm(difference(facet.nodes[corner], x)), {xi[0], xi[1]}, {}, 0, 0, false};
 }
 
-ClosestPoint closest_point(const FacetMap& facet, const Point& x) {
+ClosestPoint closest_point(const Patch& facet, const Point& x) {
     const mesh::CellTopology& topology = mesh::topology(facet.type);
     FacetPoint start{};
     double nearest = std::numeric_limits<double>::max();

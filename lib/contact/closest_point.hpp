@@ -3,7 +3,7 @@
 /// Tested by contact/closest_point_test.
 #include <array>
 
-#include "surface/facet_map.hpp"
+#include "contact/patch.hpp"
 
 namespace soft::contact {
 
@@ -12,10 +12,8 @@ struct FacetJet {
     mesh::Point y{};
     std::array<Vector3, 2> first{};                  ///< dy/dxi_i
     std::array<std::array<Vector3, 2>, 2> second{};  ///< d2y/dxi_i dxi_j
-    std::array<double, 9> N{};                       ///< shape functions
-    std::array<std::array<double, 9>, 2> dN{};       ///< [direction][node]
 };
-[[nodiscard]] FacetJet jet(const surface::FacetMap& facet, const surface::FacetPoint& xi);
+[[nodiscard]] FacetJet jet(const Patch& facet, const surface::FacetPoint& xi);
 
 struct ClosestPoint {
     double distance_m = 0;
@@ -30,10 +28,10 @@ struct ClosestPoint {
 /// The corners that edge k of a facet connects. A line has no edges.
 [[nodiscard]] std::array<std::size_t, 2> edge_corners(mesh::CellType facet, std::size_t k);
 /// Closest point of one edge, its ends included, or the corner itself.
-[[nodiscard]] ClosestPoint closest_on_edge(const surface::FacetMap& facet, std::size_t k, const mesh::Point& x);
-[[nodiscard]] ClosestPoint at_corner(const surface::FacetMap& facet, std::size_t corner, const mesh::Point& x);
+[[nodiscard]] ClosestPoint closest_on_edge(const Patch& facet, std::size_t k, const mesh::Point& x);
+[[nodiscard]] ClosestPoint at_corner(const Patch& facet, std::size_t corner, const mesh::Point& x);
 
 /// The search starts at the closest node, so that a strongly curved facet may give a local minimum.
-[[nodiscard]] ClosestPoint closest_point(const surface::FacetMap& facet, const mesh::Point& x);
+[[nodiscard]] ClosestPoint closest_point(const Patch& facet, const mesh::Point& x);
 
 }  // namespace soft::contact

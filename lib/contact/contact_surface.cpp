@@ -14,7 +14,6 @@ namespace {
 
 using mesh::Index;
 using mesh::Point;
-using surface::FacetMap;
 using surface::FacetPoint;
 
 /// Facets that face away from each other within this many facet sizes have rubber between them.
@@ -51,9 +50,7 @@ void add_triangle(SampleRule& rule, const std::array<FacetPoint, 3>& corners, do
     add_point(rule, mean({corners[0], corners[1], corners[2]}), area * 9 / 20);
 }
 
-double measure(const FacetMap::Value& at, bool line) { return line ? norm(at.t1) : norm(cross(at.t1, at.t2)); }
-
-surface::Box box_of_nodes(const FacetMap& map, double margin_m) {
+surface::Box box_of_nodes(const Patch& map, double margin_m) {
     surface::Box box = box_of(std::span{map.nodes}.first(static_cast<std::size_t>(mesh::node_count(map.type))));
     double longest = 0;
     for (std::size_t d = 0; d < 3; ++d) longest = std::max(longest, box.high[d] - box.low[d]);
@@ -64,18 +61,18 @@ surface::Box box_of_nodes(const FacetMap& map, double margin_m) {
     return box;
 }
 
-Point middle_of(const FacetMap& map) {
+Point middle_of(const Patch& map) {
     const auto xi = mesh::reference_centre(map.type);
     return map({xi[0], xi[1]}).x;
 }
 
-Vector3 normal_at(const FacetMap& map, const FacetPoint& xi) {
+Vector3 normal_at(const Patch& map, const FacetPoint& xi) {
     const auto at = map(xi);
     return cross(at.t1, at.t2);
 }
 
 /// Whether the middle of `a` lies behind the facet `b`.
-bool is_behind(const FacetMap& a, const FacetMap& b, double within_m) {
+bool is_behind(const Patch& a, const Patch& b, double within_m) {
     const ClosestPoint closest = closest_point(b, middle_of(a));
     const Vector3 arm = difference(middle_of(a), b(closest.xi).x);
     return closest.distance_m < within_m && dot(arm, normal_at(b, closest.xi)) < 0;
@@ -116,7 +113,7 @@ double outside(const surface::Box& box, const Point& x) {
     return std::sqrt(sum);
 }
 
-NormalCone normals(const FacetMap& facet) {
+NormalCone normals(const Patch& facet) {
     const auto& topology = mesh::topology(facet.type);
     std::array<Vector3, 9> n{};
     NormalCone cone;
@@ -144,14 +141,14 @@ ContactSurface::ContactSurface(const model::Case& model, std::span<const double>
         entry.nodes = mesh::facet_nodes(model.mesh, facet);
         for (const Index corner : mesh::facet_corners(model.mesh, facet))
             entry.corners.push_back(static_cast<std::size_t>(corner));
-        entry.undeformed = surface::facet_map(model.mesh, facet, model.mesh.points);
+        entry.undeformed = make_patch(surface::facet_map(model.mesh, facet, model.mesh.points));
         const mesh::CellType type = entry.undeformed.type;
         if (!rules_.contains(type)) rules_.emplace(type, sample_rule(type));
         entry.rule = &rules_.at(type);
         double area = 0;
         for (std::size_t q = 0; q < entry.rule->xi.size(); ++q) {
             const auto at = entry.undeformed(entry.rule->xi[q]);
-            const double share = entry.rule->weights[q] * measure(at, dimension_ == 2);
+            const double share = entry.rule->weights[q] * norm(cross(at.t1, at.t2));
             area += share;
             entry.X.push_back(at.x);
             entry.weight_m2.push_back(share * (is_revolved_ ? 2 * std::numbers::pi * at.x[1] : 1));
@@ -180,11 +177,12 @@ void ContactSurface::add_obstacles(const model::Case& model) {
             for (const auto& facet : faceted->facets) {
                 Entry entry;
                 entry.obstacle = static_cast<int>(k);
-                entry.undeformed.type = facet[2] < 0 ? mesh::CellType::line2 : mesh::CellType::triangle3;
+                surface::FacetMap map{facet[2] < 0 ? mesh::CellType::line2 : mesh::CellType::triangle3};
                 for (std::size_t a = 0; a < (facet[2] < 0 ? 2 : 3); ++a) {
                     entry.corners.push_back(first_corner + static_cast<std::size_t>(facet[a]));
-                    entry.undeformed.nodes[a] = faceted->points[static_cast<std::size_t>(facet[a])];
+                    map.nodes[a] = faceted->points[static_cast<std::size_t>(facet[a])];
                 }
+                entry.undeformed = make_patch(map);
                 entries_.push_back(std::move(entry));
             }
             first_corner += faceted->points.size();
@@ -233,13 +231,13 @@ Adjacency ContactSurface::find_adjacency(const Entry& a, const Entry& b) const {
 ContactSurface::Shape ContactSurface::shape(std::span<const Point> positions, std::span<const Vector3> shifts) const {
     Shape shape;
     for (const Entry& entry : entries_) {
-        FacetMap map = entry.undeformed;
+        surface::FacetMap map{entry.undeformed.type, entry.undeformed.nodes};
         for (std::size_t a = 0; a < entry.nodes.size(); ++a)
             map.nodes[a] = positions[static_cast<std::size_t>(entry.nodes[a])];
         if (entry.obstacle >= 0)
             for (Point& node : map.nodes) node = along(node, 1, shifts[static_cast<std::size_t>(entry.obstacle)]);
-        shape.boxes.push_back(box_of_nodes(map, distance_m_));
-        shape.maps.push_back(map);
+        shape.patches.push_back(make_patch(map));
+        shape.boxes.push_back(box_of_nodes(shape.patches.back(), distance_m_));
     }
     return shape;
 }

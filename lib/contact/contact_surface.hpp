@@ -34,7 +34,7 @@ public:
         std::vector<mesh::Index> nodes;
         std::vector<std::size_t> corners;  ///< numbers of the corners, equal for corners that facets share
         int obstacle = -1;                 ///< of a facet of an obstacle
-        surface::FacetMap undeformed{};
+        Patch undeformed{};
         double size_m = 0;
         const SampleRule* rule = nullptr;
         std::vector<mesh::Point> X;     ///< undeformed sample points
@@ -58,7 +58,7 @@ public:
 
     /// The entries at current positions.
     struct Shape {
-        std::vector<surface::FacetMap> maps;
+        std::vector<Patch> patches;
         std::vector<surface::Box> boxes;  ///< contain the facets and everything within the contact distance
     };
     [[nodiscard]] Shape shape(std::span<const mesh::Point> positions, std::span<const Vector3> shifts) const;
@@ -82,6 +82,6 @@ private:
 [[nodiscard]] double outside(const surface::Box& box, const mesh::Point& x);
 
 /// Cone of the normals at the nodes.
-[[nodiscard]] NormalCone normals(const surface::FacetMap& facet);
+[[nodiscard]] NormalCone normals(const Patch& facet);
 
 }  // namespace soft::contact

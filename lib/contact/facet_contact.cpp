@@ -20,7 +20,7 @@ constexpr double no_gap = 1e-6;
 constexpr std::size_t smooth_keys = std::size_t{1} << 60;
 
 /// Distance of a point from the same feature in the undeformed state.
-double undeformed_distance(const surface::FacetMap& map, const Feature& feature, const Point& X) {
+double undeformed_distance(const Patch& map, const Feature& feature, const Point& X) {
     switch (feature.kind) {
         case Feature::Kind::facet: return closest_point(map, X).distance_m;
         case Feature::Kind::edge: return closest_on_edge(map, feature.k, X).distance_m;
@@ -33,7 +33,7 @@ double undeformed_distance(const surface::FacetMap& map, const Feature& feature,
 
 FacetContact::FacetContact(const ContactState& at, std::size_t facet, std::span<const std::size_t> others,
                            Summary& summary)
-    : at_(at), entry_(at.surface.entries()[facet]), map_(at.shape.maps[facet]), others_(others), summary_(summary) {
+    : at_(at), entry_(at.surface.entries()[facet]), map_(at.shape.patches[facet]), others_(others), summary_(summary) {
     const Point& middle = map_.nodes[0];
     double radius = at.surface.distance_m();
     for (std::size_t a = 0; a < entry_.nodes.size(); ++a)
@@ -44,17 +44,18 @@ FacetContact::FacetContact(const ContactState& at, std::size_t facet, std::span<
 
 void FacetContact::add(const std::function<void(const Block&)>& to) {
     if (near_.empty() && others_.empty()) return;
+    const std::size_t nodes = entry_.nodes.size();
     for (std::size_t q = 0; q < entry_.X.size(); ++q) {
-        const auto now = map_(entry_.rule->xi[q]);
-        const double stretch = stretch_at(q, now);
-        if (!others_.empty()) add_features(q, now.x, stretch);
-        for (const SmoothObstacle* obstacle : near_) add_smooth(q, now.x, *obstacle, stretch);
+        Point x{};
+        for (std::size_t a = 0; a < nodes; ++a) x = along(x, entry_.rule->N[q * nodes + a], map_.nodes[a]);
+        if (!others_.empty()) add_features(q, x);
+        for (const SmoothObstacle* obstacle : near_) add_smooth(q, x, *obstacle);
     }
     for (const auto& [key, block] : blocks_) to(block);
 }
 
-double FacetContact::stretch_at(std::size_t q, const surface::FacetMap::Value& now) const {
-    const auto undeformed = entry_.undeformed(entry_.rule->xi[q]);
+double FacetContact::stretch_at(std::size_t q) const {
+    const auto now = map_(entry_.rule->xi[q]), undeformed = entry_.undeformed(entry_.rule->xi[q]);
     const double around = at_.surface.is_revolved() && entry_.X[q][1] > 0 ? now.x[1] / entry_.X[q][1] : 1;
     return around * norm(cross(now.t1, now.t2)) / norm(cross(undeformed.t1, undeformed.t2));
 }
@@ -73,9 +74,9 @@ Block& FacetContact::block_of(std::size_t key, int obstacle, std::span<const mes
     return blocks_.emplace(key, std::move(block)).first->second;
 }
 
-void FacetContact::note(std::size_t q, int obstacle, double share, const Barrier& b, double stretch) {
+void FacetContact::note(std::size_t q, int obstacle, double share, const Barrier& b) {
     const std::size_t k = obstacle >= 0 ? static_cast<std::size_t>(obstacle) : summary_.area_m2.size() - 1;
-    const double pressure = -entry_.stiffness_Pa * b.slope / stretch;
+    const double pressure = -entry_.stiffness_Pa * b.slope / stretch_at(q);
     summary_.area_m2[k] += share * entry_.weight_m2[q];
     summary_.pressure_Pa[k] = std::max(summary_.pressure_Pa[k], pressure);
     if (summary_.location && pressure <= summary_.max_pressure_Pa) return;
@@ -84,40 +85,49 @@ void FacetContact::note(std::size_t q, int obstacle, double share, const Barrier
     summary_.touched = obstacle;
 }
 
-bool FacetContact::may_touch(std::size_t j, const Point& x) const {
-    const auto& other = at_.surface.entries()[j];
-    const double size = other.obstacle < 0 ? other.size_m : entry_.size_m;
-    return closest_point(at_.shape.maps[j], x).distance_m <
-           std::max(at_.surface.distance_m(), overlap_share_of_size * size);
+bool FacetContact::is_at(std::size_t q, const ContactSurface::Entry& other) const {
+    const bool neighbours = std::ranges::any_of(entry_.corners, [&](std::size_t corner) {
+        return std::ranges::find(other.corners, corner) != other.corners.end();
+    });
+    return neighbours && closest_point(other.undeformed, entry_.X[q]).distance_m <= same_point * entry_.size_m;
 }
 
-void FacetContact::add_features(std::size_t q, const Point& x, double stretch) {
+void FacetContact::add_features(std::size_t q, const Point& x) {
     std::map<int, std::vector<std::size_t>> facets;  // by obstacle, -1: the actuator
+    bool touches = false;
     for (const std::size_t j : others_) {
         const auto& other = at_.surface.entries()[j];
-        if (outside(at_.shape.boxes[j], x) > 0 || !may_touch(j, x)) continue;
-        if (other.obstacle < 0 && closest_point(other.undeformed, entry_.X[q]).distance_m <= same_point * entry_.size_m)
-            continue;
+        const Patch& patch = at_.shape.patches[j];
+        const double h = at_.surface.distance_m(), size = other.obstacle < 0 ? other.size_m : entry_.size_m,
+                     range = std::max(h, overlap_share_of_size * size);
+        if (at_least(patch, x) > range || outside(at_.shape.boxes[j], x) > 0) continue;
+        const ClosestPoint closest = closest_point(patch, x);
+        if (closest.distance_m > range || is_at(q, other)) continue;
+        const auto y = patch(closest.xi);
+        touches = touches || closest.distance_m < h || dot(difference(x, y.x), cross(y.t1, y.t2)) < 0;
         facets[other.obstacle].push_back(j);
     }
+    if (!touches) return;
     for (const auto& [obstacle, list] : facets)
-        for (const Feature& feature : features_near(at_.surface, at_.shape.maps, list, x))
-            add_feature(q, x, feature, stretch);
+        for (const Feature& feature : features_near(at_.surface, at_.shape.patches, list, x))
+            add_feature(q, x, feature);
 }
 
 /// The derivatives of the distance d follow from those of f = d^2/2: grad d = n and d hess d = hess f - n n^T.
-void FacetContact::add_feature(std::size_t q, const Point& x, const Feature& feature, double stretch) {
+void FacetContact::add_feature(std::size_t q, const Point& x, const Feature& feature) {
     const auto& other = at_.surface.entries()[feature.facet];
     const bool itself = other.obstacle < 0;
     const double h = at_.surface.distance_m(), distance = feature.closest.distance_m,
                  size = itself ? other.size_m : entry_.size_m;
-    const FacetJet y = jet(at_.shape.maps[feature.facet], feature.closest.xi);
+    const FacetJet y = jet(at_.shape.patches[feature.facet], feature.closest.xi);
     const Vector3 r = difference(x, y.y);
     const bool behind = dot(r, feature.normal) < 0;
     if (distance >= (behind ? overlap_share_of_size * size : h)) return;
     double reach = h, gap = behind ? -distance : distance;
     if (itself) {
-        const double initial = undeformed_distance(other.undeformed, feature, entry_.X[q]);
+        const double near = std::max(h / share_of_initial_gap, distance / overlap_share_of_distance),
+                     bound = at_least(other.undeformed, entry_.X[q]),
+                     initial = bound > near ? bound : undeformed_distance(other.undeformed, feature, entry_.X[q]);
         if (behind && distance > overlap_share_of_distance * initial) return;
         reach = std::min(h, share_of_initial_gap * initial);
     } else {
@@ -139,19 +149,20 @@ void FacetContact::add_feature(std::size_t q, const Point& x, const Feature& fea
     summary_.energy_J += scale * b.value_m;
     const std::size_t own = entry_.nodes.size();
     std::vector<double> weights(&entry_.rule->N[q * own], &entry_.rule->N[q * own] + own);
-    if (itself)
-        for (std::size_t c = 0; c < other.nodes.size(); ++c) weights.push_back(-y.N[c]);
-    else
-        weights.push_back(-1);
+    std::array<mesh::ShapeValue, 9> shapes;
+    const auto values = std::span{shapes}.first(other.nodes.size());  // none for an obstacle
+    if (itself) mesh::shape_values(other.undeformed.type, {feature.closest.xi[0], feature.closest.xi[1], 0}, values);
+    for (const auto& value : values) weights.push_back(-value.value);
+    if (!itself) weights.push_back(-1);
     Block& block =
         itself ? block_of(feature.facet, -1, other.nodes)
                : block_of(at_.surface.entries().size() + static_cast<std::size_t>(other.obstacle), other.obstacle, {});
     add_function(block, weights, g, H);
-    if (by_f != 0 && !block.hessian.empty()) add_sliding(block, weights, y, feature.closest, r, own, by_f);
-    if (feature.is_closest) note(q, other.obstacle, share, b, stretch);
+    if (by_f != 0 && !block.hessian.empty()) add_sliding(block, weights, y, feature.closest, r, values, by_f);
+    if (feature.is_closest) note(q, other.obstacle, share, b);
 }
 
-void FacetContact::add_smooth(std::size_t q, const Point& x, const SmoothObstacle& obstacle, double stretch) {
+void FacetContact::add_smooth(std::size_t q, const Point& x, const SmoothObstacle& obstacle) {
     const Distance d = obstacle.distance(at_.shifted_back(x, obstacle.index));
     const double h = at_.surface.distance_m(), initial = obstacle.distance(entry_.X[q]).value_m;
     const bool mirror = obstacle.index < 0;
@@ -174,7 +185,7 @@ void FacetContact::add_smooth(std::size_t q, const Point& x, const SmoothObstacl
     }
     const auto key = smooth_keys + static_cast<std::size_t>(&obstacle - at_.smooth.data());
     add_function(block_of(key, obstacle.index, {}), weights, g, H);
-    note(q, obstacle.index, 1, b, stretch);
+    note(q, obstacle.index, 1, b);
 }
 
 }  // namespace soft::contact

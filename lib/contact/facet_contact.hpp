@@ -43,19 +43,19 @@ public:
     void add(const std::function<void(const Block&)>& to);
 
 private:
-    /// Whether a point is close enough to a facet to touch it, or behind it.
-    [[nodiscard]] bool may_touch(std::size_t j, const mesh::Point& x) const;
-    void add_features(std::size_t q, const mesh::Point& x, double stretch);
-    void add_feature(std::size_t q, const mesh::Point& x, const Feature& feature, double stretch);
-    void add_smooth(std::size_t q, const mesh::Point& x, const SmoothObstacle& obstacle, double stretch);
-    void note(std::size_t q, int obstacle, double share, const Barrier& b, double stretch);
+    /// Whether a sample point lies on another facet, at a common corner or edge.
+    [[nodiscard]] bool is_at(std::size_t q, const ContactSurface::Entry& other) const;
+    void add_features(std::size_t q, const mesh::Point& x);
+    void add_feature(std::size_t q, const mesh::Point& x, const Feature& feature);
+    void add_smooth(std::size_t q, const mesh::Point& x, const SmoothObstacle& obstacle);
+    void note(std::size_t q, int obstacle, double share, const Barrier& b);
     [[nodiscard]] Block& block_of(std::size_t key, int obstacle, std::span<const mesh::Index> others);
     /// Deformed over undeformed area.
-    [[nodiscard]] double stretch_at(std::size_t q, const surface::FacetMap::Value& now) const;
+    [[nodiscard]] double stretch_at(std::size_t q) const;
 
     const ContactState& at_;
     const ContactSurface::Entry& entry_;
-    const surface::FacetMap& map_;
+    const Patch& map_;
     std::span<const std::size_t> others_;
     Summary& summary_;
     std::vector<const SmoothObstacle*> near_;

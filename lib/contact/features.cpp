@@ -19,7 +19,7 @@ struct Corner {
     Vector3 normal{};
 };
 
-Vector3 unit_normal(const surface::FacetMap& map, const surface::FacetPoint& xi) {
+Vector3 unit_normal(const Patch& map, const surface::FacetPoint& xi) {
     const auto at = map(xi);
     const Vector3 n = cross(at.t1, at.t2);
     return along({}, 1 / norm(n), n);
@@ -33,10 +33,10 @@ Element& element_of(std::vector<Element>& list, Key Element::*key, const Element
 }
 
 /// The normal of the edge or corner on which the closest point of a feature lies.
-Vector3 boundary_normal(const ContactSurface& surface, std::span<const surface::FacetMap> maps, const Feature& feature,
+Vector3 boundary_normal(const ContactSurface& surface, std::span<const Patch> patches, const Feature& feature,
                         std::span<const Edge> edges, std::span<const Corner> corners) {
     const auto& numbers = surface.entries()[feature.facet].corners;
-    const mesh::CellType type = maps[feature.facet].type;
+    const mesh::CellType type = patches[feature.facet].type;
     if (feature.closest.free == 1) {
         const auto [first, last] = edge_corners(type, feature.closest.edge);
         std::array<std::size_t, 2> key{numbers[first], numbers[last]};
@@ -52,13 +52,13 @@ Vector3 boundary_normal(const ContactSurface& surface, std::span<const surface::
 
 }  // namespace
 
-std::vector<Feature> features_near(const ContactSurface& surface, std::span<const surface::FacetMap> maps,
+std::vector<Feature> features_near(const ContactSurface& surface, std::span<const Patch> patches,
                                    std::span<const std::size_t> facets, const mesh::Point& x) {
     std::vector<Feature> features;
     std::vector<Edge> edges;
     std::vector<Corner> corners;
     for (const std::size_t j : facets) {
-        const auto& map = maps[j];
+        const auto& map = patches[j];
         const auto& numbers = surface.entries()[j].corners;
         Feature facet{Feature::Kind::facet, j, 0, closest_point(map, x)};
         facet.normal = unit_normal(map, facet.closest.xi);
@@ -81,20 +81,20 @@ std::vector<Feature> features_near(const ContactSurface& surface, std::span<cons
     if (closest != features.end()) closest->is_closest = true;
     // A facet whose closest point is on its boundary lies on the same side as that edge or corner.
     for (Feature& facet : features)
-        if (!facet.closest.is_interior) facet.normal = boundary_normal(surface, maps, facet, edges, corners);
+        if (!facet.closest.is_interior) facet.normal = boundary_normal(surface, patches, facet, edges, corners);
     for (const Edge& edge : edges) {
         if (edge.facets < 2) continue;
         for (Corner& corner : corners)
             if (std::ranges::find(edge.corners, corner.number) != edge.corners.end()) ++corner.edges;
-        features.push_back({Feature::Kind::edge, edge.facet, edge.k, closest_on_edge(maps[edge.facet], edge.k, x),
+        features.push_back({Feature::Kind::edge, edge.facet, edge.k, closest_on_edge(patches[edge.facet], edge.k, x),
                             1.0 - edge.facets, edge.normal});
         auto& feature = features.back();
-        if (feature.closest.free == 0) feature.normal = boundary_normal(surface, maps, feature, edges, corners);
+        if (feature.closest.free == 0) feature.normal = boundary_normal(surface, patches, feature, edges, corners);
     }
     for (const Corner& corner : corners)
         if (const double coefficient = 1 - corner.facets + corner.edges; coefficient != 0)
             features.push_back({Feature::Kind::corner, corner.facet, corner.k,
-                                at_corner(maps[corner.facet], corner.k, x), coefficient, corner.normal});
+                                at_corner(patches[corner.facet], corner.k, x), coefficient, corner.normal});
     return features;
 }
 

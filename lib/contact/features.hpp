@@ -24,7 +24,7 @@ struct Feature {
 };
 
 /// `facets`: entries of the surface.
-[[nodiscard]] std::vector<Feature> features_near(const ContactSurface& surface, std::span<const surface::FacetMap> maps,
+[[nodiscard]] std::vector<Feature> features_near(const ContactSurface& surface, std::span<const Patch> patches,
                                                  std::span<const std::size_t> facets, const mesh::Point& x);
 
 }  // namespace soft::contact

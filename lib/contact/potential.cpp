@@ -48,7 +48,7 @@ public:
         std::map<std::size_t, NormalCone> cones;
         const auto cone = [&](std::size_t i) {
             auto known = cones.find(i);
-            if (known == cones.end()) known = cones.emplace(i, normals(shape.maps[i])).first;
+            if (known == cones.end()) known = cones.emplace(i, normals(shape.patches[i])).first;
             return known->second;
         };
         for (const auto& [first, second] : surface::overlapping_pairs(shape.boxes)) {
@@ -92,12 +92,15 @@ double Potential::Parts::share_without_crossing(ContactSurface::Shape from, std:
     for (std::size_t i = 0; i < surface.free_count(); ++i) {
         const auto& entry = surface.entries()[i];
         for (std::size_t q = 0; q < entry.X.size(); ++q) {
-            const Point x = from.maps[i](entry.rule->xi[q]).x, next = to.maps[i](entry.rule->xi[q]).x;
+            const Point x = from.patches[i](entry.rule->xi[q]).x, next = to.patches[i](entry.rule->xi[q]).x;
             for (const std::size_t j : others[i]) {
                 const auto& other = surface.entries()[j];
-                if (outside(from.boxes[j], x) > norm(difference(next, x))) continue;
-                const ClosestPoint closest = closest_point(from.maps[j], x);
-                const auto y = from.maps[j](closest.xi);
+                const Vector3 moved = difference(to.patches[j].centre, from.patches[j].centre);
+                if (at_least(from.patches[j], x) >
+                    norm(difference(difference(next, x), moved)) + from.patches[j].radius_m)
+                    continue;
+                const ClosestPoint closest = closest_point(from.patches[j], x);
+                const auto y = from.patches[j](closest.xi);
                 const Vector3 r = difference(x, y.x), n = cross(y.t1, y.t2);
                 if (dot(r, n) < 0 && !closest.is_interior) continue;
                 const double behind = dot(r, n) < 0 ? -1 : 1;
@@ -105,7 +108,7 @@ double Potential::Parts::share_without_crossing(ContactSurface::Shape from, std:
                     (behind < 0 && closest_point(other.undeformed, entry.X[q]).distance_m * overlap_share_of_distance <
                                        closest.distance_m))
                     continue;
-                const Vector3 relative = difference(difference(next, x), difference(to.maps[j](closest.xi).x, y.x));
+                const Vector3 relative = difference(difference(next, x), difference(to.patches[j](closest.xi).x, y.x));
                 limit(behind * closest.distance_m, -behind * dot(relative, r) / closest.distance_m,
                       other.obstacle < 0 ? std::min(other.size_m, entry.size_m) : entry.size_m);
             }
