@@ -94,7 +94,15 @@ std::vector<LoadForm> other_forms() {
              .example = "9.81 m/s^2",
              .along = choice_key("along", "", {"x", "y", "z", "axis", "-x", "-y", "-z", "-axis"},
                                  "direction of gravity; axis is the direction in which the actuator gets longer"),
-             .levels = &model::Stage::body_forces}};
+             .levels = &model::Stage::body_forces},
+            {.target = LoadTarget::obstacle,
+             .kind = motion,
+             .magnitude = value_key("displacement", Kind::length, {},
+                                    "prescribed displacement of the obstacle @; it does not rotate"),
+             .example = "5 mm",
+             .along = choice_key("along", "", obstacle_directions(), "direction of the displacement of an obstacle"),
+             .levels = &model::Stage::motions,
+             .takes_time_function = false}};
 }
 
 Settings<Gas> gas_settings() {

@@ -14,7 +14,7 @@
 namespace soft::design {
 
 /// What a load acts on.
-enum class LoadTarget { cavity, face, gravity };
+enum class LoadTarget { cavity, face, gravity, obstacle };
 
 /// The list of the case that a load belongs to.
 enum class LoadKind { gas, shared_gas, face_pressure, traction, gravity, motion };

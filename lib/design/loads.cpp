@@ -77,6 +77,8 @@ void refuse_foreign_keys(const NamedLoad& load, const LoadForm& form) {
                            "write pressure; only a cavity takes this"});
         refuse_keys(load, {{"sealed", "plug_thrust"}, "a face has no openings to seal", "leave it out"});
     }
+    if (load.target == LoadTarget::obstacle)
+        refuse_keys(load, {{"pressure", "traction", "force"}, "an obstacle is moved", "write displacement"});
     if (form.kind == LoadKind::face_pressure)
         refuse_keys(load, {{"along"}, normal, "leave it out, or write traction in place of pressure"});
 }
@@ -152,7 +154,10 @@ LoadSlot add_load(const LoadEntry& entry, double value, Loads& loads, const Valu
                 {entry.name, value, values.text(entry.path + ".along"), time_function_of(values, entry.path)});
             return {entry.form, loads.body_forces.size() - 1, value};
         case LoadKind::motion:
-            check_direction(values, entry.path + ".along");
+            if (entry.form->target == LoadTarget::obstacle)
+                check_obstacle_direction(values, entry.path + ".along");
+            else
+                check_direction(values, entry.path + ".along");
             loads.motions.push_back({entry.name, value, values.text(entry.path + ".along")});
             return {entry.form, loads.motions.size() - 1, value};
     }

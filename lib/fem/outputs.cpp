@@ -32,8 +32,13 @@ Outputs::Form Outputs::make(const model::Output& output) const {
         case model::Measure::rotation:
         case model::Measure::curvature: require(solid); return make_whole_face(output);
         case model::Measure::force:
-        case model::Measure::moment: break;
+        case model::Measure::moment:
+        case model::Measure::contact_area:
+        case model::Measure::contact_pressure: break;
     }
+    if (!output.obstacle.empty())
+        throw Error(ExitCode::bad_input, "outputs." + output.name, "measures of contact are not available",
+                    "measure a face in place of the obstacle");
     if (fe_.input.dynamics)
         throw Error(ExitCode::bad_input, "outputs." + output.name, "reactions are available only in static cases",
                     "remove dynamics, or use measure: displacement");

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "material/fibers.hpp"
@@ -124,18 +125,22 @@ struct BodyForce {
 
 /// A prescribed displacement of a face or of an obstacle. Components without a value are free; those of an obstacle are fixed.
 struct Motion {
-    std::string face;  ///< or the name of an obstacle
+    std::string face;                                     ///< or the name of an obstacle
     std::array<std::optional<double>, 3> displacement_m;  ///< at level 1; axisymmetric: x, r, unused
 };
 
+/// Output::obstacle of the contact of the actuator with itself.
+inline constexpr std::string_view self_contact = "self";
+
 struct Output {
     std::string name;                   ///< "elongation"; CSV column elongation_mm, bend_deg, block_N ...
-    std::string face;                   ///< empty if a point is measured
-    std::array<double, 3> direction{};  ///< unit vector
+    std::string face;                   ///< empty if a point or an obstacle is measured
+    std::array<double, 3> direction{};  ///< unit vector; zero for a measure without a direction
     Measure measure = Measure::displacement;
     std::string reference = {};  ///< the supported reference face of measure bend; else empty
     /// Undeformed position of the measured point; x, r, 0 in a section.
     std::optional<std::array<double, 3>> point_m = {};
+    std::string obstacle = {};  ///< name of an obstacle, or self_contact; else empty
 };
 
 /// Controlled quantity of the path following. automatic: the load factor while the actuator is stiff, then the volume if one
@@ -179,12 +184,12 @@ inline constexpr int max_frequencies = 50;
 
 struct PathSettings {
     std::vector<Stage> stages;
-    Branch branch = Branch::stay;     ///< follow: switch to the other branch at the first bifurcation of the path
-    double imperfection_m = 1e-4;     ///< perturbation used to switch branches: maximum displacement of the scaled mode
+    Branch branch = Branch::stay;  ///< follow: switch to the other branch at the first bifurcation of the path
+    double imperfection_m = 1e-4;  ///< perturbation used to switch branches: maximum displacement of the scaled mode
     /// Behaviour where walls of the actuator touch each other. Obstacles are always respected.
     Contact contact = Contact::solve;
-    double stretch_limit = 10;        ///< stretch_p99 beyond which a load that cannot be reached is abandoned
-    int frequencies = 0;  ///< number of natural frequencies of each row of a static path, at most max_frequencies
+    double stretch_limit = 10;  ///< stretch_p99 beyond which a load that cannot be reached is abandoned
+    int frequencies = 0;        ///< number of natural frequencies of each row of a static path, at most max_frequencies
 };
 
 struct Case {
