@@ -8,6 +8,7 @@
 ///     plane strain   bodies that extend along z: a plane or a cylinder along z, a profile, a box (its z is unused)
 /// Tested by geometry/obstacle_test.
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -58,13 +59,16 @@ struct ObstacleGap {
     std::string name;
     double gap_m = 0;  ///< negative: depth of the overlap
     mesh::Point at{};  ///< on the actuator
+    /// The symmetry plane (x, y, z = 0) whose mirror image of the obstacle is nearer to some of the mesh than the obstacle.
+    std::optional<std::size_t> wrong_side = {};
 };
 /// The gaps of all obstacles. It compares the nodes and the quadrature points of the free facets with the obstacle, and vertices and
 /// edges of the obstacle, its centre or its axis with the closest point of the curved facets. Between these points an overlap that is
 /// small compared with the facets may remain undetected.
 [[nodiscard]] std::vector<ObstacleGap> obstacle_gaps(const model::Case& model);
 
-/// Throws values.refuse(...) with position and depth for an obstacle that overlaps the undeformed actuator deeper than 1e-6 of its size.
+/// Throws values.refuse(...) with position and depth for an obstacle that overlaps the undeformed actuator deeper than 1e-6 of its size,
+/// and for one on the wrong side of a symmetry plane: contact with its mirror image would be missed.
 void refuse_overlaps(const design::Design& design, const model::Case& model, std::span<const ObstacleGap> gaps);
 
 /// For the shapes: the key `inside` of `word`, and the side of the actuator that it states.

@@ -153,9 +153,22 @@ ObstacleGap gap_of(const model::Obstacle& obstacle, const model::Case& model, co
     const SignedDistance distance = signed_distance(obstacle);
     ObstacleGap gap{obstacle.name, std::numeric_limits<double>::infinity(), {}};
     const auto take = [&](double gap_m, const Point& at) {
-        if (gap_m < gap.gap_m) gap = {obstacle.name, gap_m, at};
+        if (gap_m >= gap.gap_m) return;
+        gap.gap_m = gap_m;
+        gap.at = at;
     };
-    for (const Point& point : samples) take(distance(point), point);
+    constexpr double asymmetry = 1e-3;  // of the facets of a symmetric obstacle
+    const double allowed_m = asymmetry * mesh::extent_m(model.mesh);
+    for (const Point& point : samples) {
+        const double distance_m = distance(point);
+        take(distance_m, point);
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (!model.symmetry_planes[i] || gap.wrong_side) continue;
+            Point image = point;
+            image[i] = -image[i];
+            if (distance(image) < distance_m - allowed_m) gap.wrong_side = i;
+        }
+    }
     for (const OwnPoint& own : own_points(obstacle, model)) {
         const FreeSurface::Closest closest = surface.closest(own.point);
         take(closest.distance_m - own.radius_m, closest.at);

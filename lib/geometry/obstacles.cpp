@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "core/text.hpp"
 #include "geometry/keys.hpp"
@@ -71,13 +72,19 @@ void refuse_overlaps(const design::Design& design, const model::Case& model, std
     constexpr double touching = 1e-6;
     const double allowed_m = touching * mesh::extent_m(model.mesh);
     for (const ObstacleGap& gap : gaps) {
-        if (gap.gap_m >= -allowed_m) continue;
+        if (gap.gap_m >= -allowed_m && !gap.wrong_side) continue;
         const auto request = std::ranges::find(design.obstacles, gap.name, &design::Design::ObstacleRequest::name);
-        throw design.values.refuse(path_of(gap.name) + "." + shape_of(*request).keys.keys.front().path,
+        const std::string key = path_of(gap.name) + "." + shape_of(*request).keys.keys.front().path;
+        if (gap.wrong_side)
+            throw design.values.refuse(key,
+                                       core::quoted(gap.name) + " is nearer to the mirror image at " +
+                                           "xyz"[*gap.wrong_side] + " = 0 than to the part that is meshed",
+                                       "mirror its position at this plane, or use model: solid");
+        throw design.values.refuse(key,
                                    core::quoted(gap.name) + " overlaps the undeformed actuator by " +
                                        length_text(-gap.gap_m) + " at " +
                                        model::location_text(model.kinematics, gap.at),
-                                   "move it away; it may touch the actuator");
+                                   "move it away, touching is allowed");
     }
 }
 
@@ -107,9 +114,9 @@ bool is_parallel(const Vector3& direction, std::size_t component) { return std::
 model::FacetedSurface segments_of(const std::vector<std::array<mesh::Point, 2>>& pieces) {
     model::FacetedSurface surface;
     const auto number_of = [&](const mesh::Point& point) {
-        const auto found = std::ranges::find(surface.points, point);
-        if (found == surface.points.end()) surface.points.push_back(point);
-        return static_cast<int>(found - surface.points.begin());
+        const auto number = std::ranges::find(surface.points, point) - surface.points.begin();
+        if (number == std::ssize(surface.points)) surface.points.push_back(point);
+        return static_cast<int>(number);
     };
     for (const auto& [start, end] : pieces) {
         const int first = number_of(start);

@@ -65,7 +65,7 @@ TEST(Obstacle, ThatIsInvalidIsRefusedAtItsPlace) {
     };
     const std::string plane = "plane: {point: [0 mm, 0 mm, 0 mm], normal: [1, 0, 0]}";
     EXPECT_TRUE(contains(refused("a: {}"),
-                         "p.yaml:4:13: obstacles.a: the shape of the obstacle is missing; add plane, surface"));
+                         "p.yaml:4:13: obstacles.a: the shape of the obstacle is missing; add plane | surface"));
     EXPECT_TRUE(contains(refused("a: {plne: {point: 1}}"), "obstacles.a.plne: unknown key; did you mean 'plane'?"));
     EXPECT_TRUE(contains(refused("a: {" + plane + ", surface: b.stl}"),
                          "obstacles.a.surface: the obstacle is a plane already; write two obstacles"));
