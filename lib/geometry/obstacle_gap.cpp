@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "geometry/obstacle.hpp"
 #include "geometry/obstacle_distance.hpp"
@@ -103,6 +104,18 @@ public:
         return {inside ? -norm(to) : norm(to), at};
     }
 
+    /// Those of the points that are deepest in the flat facets: the search on the curved facets is slow.
+    [[nodiscard]] std::vector<OwnPoint> nearest(std::vector<OwnPoint> points) const {
+        constexpr std::size_t enough = 100;
+        std::vector<std::pair<double, OwnPoint>> ranked;
+        for (const OwnPoint& own : points) ranked.emplace_back(flat_distance_m(own.point) - own.radius_m, own);
+        std::ranges::stable_sort(ranked, {}, [](const auto& entry) { return entry.first; });
+        points.clear();
+        for (const auto& [depth, own] : ranked)
+            if (points.size() < enough) points.push_back(own);
+        return points;
+    }
+
 private:
     void add_triangles() {
         const surface::Triangles all = surface::facet_triangles(model_.mesh, free_facets());
@@ -140,6 +153,15 @@ private:
         const int element = triangles_ ? (*triangles_)(from).element : (*segments_)(from).element;
         return facet_of_[static_cast<std::size_t>(element)];
     }
+    /// With the sign of the normal in the middle of the nearest facet.
+    [[nodiscard]] double flat_distance_m(const Point& from) const {
+        const Facet& facet = facets_[nearest_facet(from)];
+        const auto shapes = mesh::shape_values(facet.type, mesh::reference_centre(facet.type));
+        const Vector3 to = difference(from, position(facet, shapes)),
+                      normal = mesh::facet_normal(model_.mesh, facet.facet, shapes);
+        const double distance_m = triangles_ ? (*triangles_)(from).distance_m : (*segments_)(from).distance_m;
+        return dot(to, normal) < 0 ? -distance_m : distance_m;
+    }
 
     const model::Case& model_;
     std::vector<Facet> facets_;
@@ -169,7 +191,7 @@ ObstacleGap gap_of(const model::Obstacle& obstacle, const model::Case& model, co
             if (distance(image) < distance_m - allowed_m) gap.wrong_side = i;
         }
     }
-    for (const OwnPoint& own : own_points(obstacle, model)) {
+    for (const OwnPoint& own : surface.nearest(own_points(obstacle, model))) {
         const FreeSurface::Closest closest = surface.closest(own.point);
         take(closest.distance_m - own.radius_m, closest.at);
     }

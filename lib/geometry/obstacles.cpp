@@ -84,7 +84,7 @@ void refuse_overlaps(const design::Design& design, const model::Case& model, std
                                    core::quoted(gap.name) + " overlaps the undeformed actuator by " +
                                        length_text(-gap.gap_m) + " at " +
                                        model::location_text(model.kinematics, gap.at),
-                                   "move it away, touching is allowed");
+                                   "move it away, touching is allowed; the normal of a plane points to the actuator");
     }
 }
 

@@ -217,6 +217,7 @@ model::Shape shape_of(const model::Case& model) {
                        model.supports,
                        model.cavities,
                        {},
+                       {},
                        {}};
     for (const model::Obstacle& obstacle : model.obstacles)
         if (const auto* faceted = std::get_if<model::FacetedSurface>(&obstacle.shape))
