@@ -161,6 +161,11 @@ Points points_of(const model::FacetedSurface& faceted, const Bounds& bounds) {
     std::ranges::sort(points, {}, &OwnPoint::point);
     const auto same = std::ranges::unique(points, {}, &OwnPoint::point);
     points.erase(same.begin(), same.end());
+    // A finer surface has vertices closer to each other than the nodes of the actuator, which are compared with its facets.
+    constexpr std::size_t max_points = 5000;
+    const std::size_t stride = 1 + points.size() / max_points;
+    for (std::size_t i = 0; i * stride < points.size(); ++i) points[i] = points[i * stride];
+    points.resize((points.size() + stride - 1) / stride);
     return points;
 }
 

@@ -94,7 +94,7 @@ public:
         Point at;
     };
     [[nodiscard]] Closest closest(const Point& from) const {
-        const Facet& facet = facets_[nearest_facet(from)];
+        const Facet& facet = facets_[nearest_facet(from).facet];
         const auto shapes = mesh::shape_values(facet.type, closest_on(facet, from));
         const Point at = position(facet, shapes);
         const Vector3 to = difference(from, at);
@@ -149,18 +149,24 @@ private:
         for (const Facet& facet : facets_) all.push_back(facet.facet);
         return all;
     }
-    [[nodiscard]] std::size_t nearest_facet(const Point& from) const {
-        const int element = triangles_ ? (*triangles_)(from).element : (*segments_)(from).element;
-        return facet_of_[static_cast<std::size_t>(element)];
+    struct Nearest {
+        std::size_t facet;
+        double distance_m;  ///< from the flat facet
+    };
+    [[nodiscard]] Nearest nearest_facet(const Point& from) const {
+        const auto of = [&](const auto& found) {
+            return Nearest{facet_of_[static_cast<std::size_t>(found.element)], found.distance_m};
+        };
+        return triangles_ ? of((*triangles_)(from)) : of((*segments_)(from));
     }
     /// With the sign of the normal in the middle of the nearest facet.
     [[nodiscard]] double flat_distance_m(const Point& from) const {
-        const Facet& facet = facets_[nearest_facet(from)];
+        const Nearest nearest = nearest_facet(from);
+        const Facet& facet = facets_[nearest.facet];
         const auto shapes = mesh::shape_values(facet.type, mesh::reference_centre(facet.type));
         const Vector3 to = difference(from, position(facet, shapes)),
                       normal = mesh::facet_normal(model_.mesh, facet.facet, shapes);
-        const double distance_m = triangles_ ? (*triangles_)(from).distance_m : (*segments_)(from).distance_m;
-        return dot(to, normal) < 0 ? -distance_m : distance_m;
+        return dot(to, normal) < 0 ? -nearest.distance_m : nearest.distance_m;
     }
 
     const model::Case& model_;
