@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "material/fibers.hpp"
@@ -127,14 +128,18 @@ struct Motion {
     std::array<std::optional<double>, 3> displacement_m;  ///< at level 1; axisymmetric: x, r, unused
 };
 
+/// Output::obstacle of the contact of the actuator with itself.
+inline constexpr std::string_view self_contact = "self";
+
 struct Output {
     std::string name;                   ///< "elongation"; CSV column elongation_mm, bend_deg, block_N ...
-    std::string face;                   ///< empty if a point is measured
-    std::array<double, 3> direction{};  ///< unit vector
+    std::string face;                   ///< empty if a point or an obstacle is measured
+    std::array<double, 3> direction{};  ///< unit vector; zero for a measure without a direction
     Measure measure = Measure::displacement;
     std::string reference = {};  ///< the supported reference face of measure bend; else empty
     /// Undeformed position of the measured point; x, r, 0 in a section.
     std::optional<std::array<double, 3>> point_m = {};
+    std::string obstacle = {};  ///< name of an obstacle, or self_contact; else empty
 };
 
 /// Controlled quantity of the path following. automatic: the load factor while the actuator is stiff, then the volume if one

@@ -1,6 +1,8 @@
 #pragma once
 /// Rigid obstacles that the actuator touches. Plain data, SI units, coordinates of the mesh: (x, y, z), in a section of revolution
 /// (x, r, 0), in plane strain (x, y, 0).
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <variant>
@@ -38,6 +40,15 @@ struct FacetedSurface {
     std::vector<mesh::Point> points;
     std::vector<std::array<int, 3>> facets;  ///< the third index of a segment is -1
 };
+
+/// Normal of a facet to the actuator, with the length of a segment or twice the area of a triangle.
+[[nodiscard]] inline Vector3 facet_normal(const FacetedSurface& surface, const std::array<int, 3>& facet) {
+    const auto at = [&](std::size_t i) -> const mesh::Point& {
+        return surface.points[static_cast<std::size_t>(facet[i])];
+    };
+    const Vector3 edge = difference(at(1), at(0));
+    return facet[2] < 0 ? Vector3{edge[1], -edge[0], 0} : cross(edge, difference(at(2), at(0)));
+}
 
 struct Obstacle {
     std::string name;

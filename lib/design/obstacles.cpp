@@ -1,0 +1,108 @@
+#include "design/obstacles.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "core/text.hpp"
+#include "design/common_keys.hpp"
+#include "design/load_names.hpp"
+#include "design/sections.hpp"
+#include "design/setting.hpp"
+
+namespace soft::design {
+namespace {
+
+using model::ContactSettings, model::Obstacle;
+
+constexpr std::string_view contact_section = "contact", friction_key = "friction";
+
+const Settings<ContactSettings>& contact_settings() {
+    static const Settings<ContactSettings> settings{
+        flag("self", &ContactSettings::self, "contact of the actuator with itself and with its mirror images"),
+        number(std::string{friction_key}, &ContactSettings::friction, at_least(0),
+               "coefficient of Coulomb friction of all contacts; 0: frictionless")};
+    return settings;
+}
+
+const Setting<Obstacle>& friction_setting() {
+    static const Setting<Obstacle> setting =
+        or_word(std::string{contact_section}, number(std::string{friction_key}, &Obstacle::friction, at_least(0),
+                                                     "coefficient of Coulomb friction; contact: contact.friction"));
+    return setting;
+}
+
+std::string obstacle_path(const std::string& name) { return std::string{obstacles_section} + "." + name; }
+
+void check_name(const Member& obstacle, const FaceNames& faces) {
+    const std::string path = obstacle_path(obstacle.key);
+    constexpr std::array reserved{cavity_name, cavities_group, gravity_name, model::self_contact};
+    if (!is_valid_name(obstacle.key)) refuse(obstacle.location, path, "not a name of an obstacle", valid_name_rule);
+    if (!resolve_face(faces, obstacle.key).empty())
+        refuse(obstacle.location, path, "a face of the actuator has this name", "choose another name");
+    if (std::ranges::find(reserved, obstacle.key) != reserved.end())
+        refuse(obstacle.location, path, "the name is reserved", "choose another name");
+}
+
+const ObstacleKeys& shape_of(const Member& obstacle, std::span<const ObstacleKeys> shapes) {
+    const std::string path = obstacle_path(obstacle.key);
+    const ObstacleKeys* found = nullptr;
+    std::vector<std::string> words;
+    for (const ObstacleKeys& shape : shapes) {
+        words.push_back(shape.name);
+        const Member* own = find_member(obstacle.value, shape.name);
+        if (own == nullptr) continue;
+        if (found != nullptr)
+            refuse(own->location, path + "." + shape.name, "the obstacle is a " + found->name + " already",
+                   "write two obstacles");
+        found = &shape;
+    }
+    if (found != nullptr) return *found;
+    for (const Member& member : obstacle.value.members)
+        if (member.key != friction_key)
+            refuse(member.location, path + "." + member.key, "unknown key", core::did_you_mean(member.key, words));
+    refuse(obstacle.location, path, "the shape of the obstacle is missing", "add " + core::join(words, " | "));
+}
+
+}  // namespace
+
+std::vector<Key> contact_keys() { return keys_of(contact_settings(), std::string{contact_section}); }
+
+std::vector<Key> obstacle_keys(const std::string& name, const ObstacleKeys& shape) {
+    std::vector<Key> keys = shape.keys;
+    keys.push_back(friction_setting().key);
+    for (Key& key : keys) key.path.insert(0, obstacle_path(name) + ".");
+    return keys;
+}
+
+void add_obstacle_keys(Schema& schema, const Node& root, std::span<const ObstacleKeys> shapes) {
+    for (const Member& obstacle : members_of(root, obstacles_section)) {
+        check_name(obstacle, schema.faces);
+        for (Key& key : obstacle_keys(obstacle.key, shape_of(obstacle, shapes))) schema.keys.push_back(std::move(key));
+        schema.faces.obstacles.push_back(obstacle.key);
+    }
+    for (Key& key : contact_keys()) schema.keys.push_back(std::move(key));
+    schema.names[std::string{obstacles_section}];
+}
+
+model::ContactSettings contact_of(const Values& values) {
+    return read_settings(contact_settings(), values, std::string{contact_section});
+}
+
+std::vector<Design::ObstacleRequest> obstacles_of(std::span<const Item> items, std::span<const ObstacleKeys> shapes,
+                                                  const Values& values) {
+    std::vector<Design::ObstacleRequest> obstacles;
+    for (const Item& item : items) {
+        const std::string name =
+            name_between(item.key.path, std::string{obstacles_section} + ".", "." + std::string{friction_key});
+        if (name.empty()) continue;
+        const auto shape = std::ranges::find_if(shapes, [&](const ObstacleKeys& one) {
+            return values.has(obstacle_path(name) + "." + one.keys.front().path);
+        });
+        Obstacle read;
+        friction_setting().read(values, item.key.path, read);
+        obstacles.push_back({name, shape->name, read.friction});
+    }
+    return obstacles;
+}
+
+}  // namespace soft::design
