@@ -80,11 +80,12 @@ void refuse_overlaps(const design::Design& design, const model::Case& model, std
                                        core::quoted(gap.name) + " is nearer to the mirror image at " +
                                            "xyz"[*gap.wrong_side] + " = 0 than to the part that is meshed",
                                        "mirror its position at this plane, or use model: solid");
-        throw design.values.refuse(key,
-                                   core::quoted(gap.name) + " overlaps the undeformed actuator by " +
-                                       length_text(-gap.gap_m) + " at " +
-                                       model::location_text(model.kinematics, gap.at),
-                                   "move it away, touching is allowed; the normal of a plane points to the actuator");
+        throw design.values.refuse(
+            key,
+            core::quoted(gap.name) + " overlaps the undeformed actuator by " + length_text(-gap.gap_m) + " at " +
+                model::location_text(model.kinematics, gap.at),
+            std::string{"move it away, touching is allowed"} +
+                (request->shape == "plane" ? ", or turn its normal, which points to the actuator" : ""));
     }
 }
 
