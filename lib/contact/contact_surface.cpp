@@ -16,6 +16,8 @@ using mesh::Index;
 using mesh::Point;
 using surface::FacetPoint;
 
+/// Cosine of the angle between the normals of facets that face each other and the direction between them.
+constexpr double facing = 0.5;
 /// Facets that face away from each other within this many facet sizes have rubber between them.
 constexpr double thickest_wall_in_facets = 3;
 /// Boxes of the nodes grow by this fraction of their longest side, because a curved facet reaches beyond its nodes.
@@ -23,7 +25,7 @@ constexpr double beyond_nodes = 0.2;
 /// Parts of a line with a rule each. A point that slides over a corner of the other side makes the equilibrium unstable unless its
 /// force over its gap is small against the stiffness of the cells.
 constexpr int line_parts = 4;
-/// k over E_0, and h over the median size of the free facets.
+/// k over E_0, and h over the size of the facet, or the median size if that is smaller.
 constexpr double stiffness_share = 0.1, distance_share = 1e-2;
 
 void add_point(SampleRule& rule, const FacetPoint& xi, double weight) {
@@ -71,6 +73,8 @@ Vector3 normal_at(const Patch& map, const FacetPoint& xi) {
     return cross(at.t1, at.t2);
 }
 
+Vector3 unit(const Vector3& v) { return norm(v) > 0 ? along({}, 1 / norm(v), v) : v; }
+
 /// Whether the middle of `a` lies behind the facet `b`.
 bool is_behind(const Patch& a, const Patch& b, double within_m) {
     const ClosestPoint closest = closest_point(b, middle_of(a));
@@ -102,6 +106,16 @@ SampleRule sample_rule(mesh::CellType facet) {
         for (const mesh::ShapeValue& value : mesh::shape_values(facet, {xi[0], xi[1], 0}))
             rule.N.push_back(value.value);
     return rule;
+}
+
+bool are_facing(const ContactSurface::Entry& entry, std::size_t q, const Patch& other, const ClosestPoint& closest) {
+    const Vector3 its = unit(normal_at(other, closest.xi)), arm = unit(difference(entry.X[q], other(closest.xi).x));
+    const auto faces = [&](const Vector3& n) { return is_facing(entry.undeformed, entry, q, n); };
+    return faces(its) && dot(arm, its) > facing && faces(arm);
+}
+
+bool is_facing(const Patch& patch, const ContactSurface::Entry& entry, std::size_t q, const Vector3& normal) {
+    return dot(unit(normal_at(patch, entry.rule->xi[q])), unit(normal)) < -facing;
 }
 
 double outside(const surface::Box& box, const Point& x) {
@@ -167,6 +181,7 @@ ContactSurface::ContactSurface(const model::Case& model, std::span<const double>
     if (sizes.empty()) return;
     std::ranges::nth_element(sizes, sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2));
     distance_m_ = distance_share * sizes[sizes.size() / 2];
+    for (Entry& entry : entries_) entry.distance_m = std::min(distance_m_, distance_share * entry.size_m);
     add_obstacles(model);
 }
 
@@ -187,7 +202,7 @@ void ContactSurface::add_obstacles(const model::Case& model) {
             }
             first_corner += faceted->points.size();
         }
-    if (entries_.size() > free_count_) find_initial_overlaps();
+    find_initial_overlaps();
 }
 
 void ContactSurface::find_initial_overlaps() {
@@ -196,13 +211,18 @@ void ContactSurface::find_initial_overlaps() {
     for (const auto& [first, second] : surface::overlapping_pairs(boxes)) {
         const Entry &entry = entries_[static_cast<std::size_t>(first)],
                     &other = entries_[static_cast<std::size_t>(second)];
-        if (entry.obstacle >= 0 || other.obstacle < 0) continue;
-        for (std::size_t q = 0; q < entry.X.size(); ++q) {
-            const double overlap = distance_m_ - closest_point(other.undeformed, entry.X[q]).distance_m;
-            if (overlap <= 0) continue;
-            double& largest = initial_overlap_m_[{entry.facet, q, other.obstacle}];
-            largest = std::max(largest, overlap);
-        }
+        add_overlaps(entry, other);
+        if (other.obstacle < 0) add_overlaps(other, entry);
+    }
+}
+
+void ContactSurface::add_overlaps(const Entry& entry, const Entry& other) {
+    for (std::size_t q = 0; q < entry.X.size() && entry.obstacle < 0; ++q) {
+        const ClosestPoint closest = closest_point(other.undeformed, entry.X[q]);
+        const double overlap = entry.distance_m - closest.distance_m;
+        if (overlap <= 0 || (other.obstacle < 0 && !are_facing(entry, q, other.undeformed, closest))) continue;
+        double& largest = initial_overlap_m_[{entry.facet, q, other.obstacle}];
+        largest = std::max(largest, overlap);
     }
 }
 

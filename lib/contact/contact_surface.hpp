@@ -40,18 +40,19 @@ public:
         std::vector<mesh::Point> X;     ///< undeformed sample points
         std::vector<double> weight_m2;  ///< undeformed area of the sample points, 2 pi R included
         double stiffness_Pa = 0;        ///< k
+        double distance_m = 0;          ///< h
     };
     [[nodiscard]] std::span<const Entry> entries() const { return entries_; }
     [[nodiscard]] std::size_t free_count() const {
         return free_count_;
     }  ///< the first entries are those of the actuator
     [[nodiscard]] std::span<const mesh::Index> nodes() const { return nodes_; }
-    [[nodiscard]] double distance_m() const { return distance_m_; }
+    [[nodiscard]] double distance_m() const { return distance_m_; }  ///< the largest h
     [[nodiscard]] std::size_t dimension() const { return dimension_; }
 
     [[nodiscard]] bool is_revolved() const { return is_revolved_; }
 
-    /// h - D of a sample point near a faceted obstacle, 0 where D > h.
+    /// h - D of a sample point near a faceted obstacle, or near a facet of the actuator that faces it (-1), 0 where D > h.
     [[nodiscard]] double initial_overlap_m(const Entry& entry, std::size_t q, int obstacle) const;
 
     [[nodiscard]] Adjacency adjacency(std::size_t i, std::size_t j);
@@ -66,6 +67,7 @@ public:
 private:
     void add_obstacles(const model::Case& model);
     void find_initial_overlaps();
+    void add_overlaps(const Entry& entry, const Entry& other);
     [[nodiscard]] Adjacency find_adjacency(const Entry& a, const Entry& b) const;
 
     std::map<mesh::CellType, SampleRule> rules_;
@@ -77,6 +79,14 @@ private:
     double distance_m_ = 0;
     bool is_revolved_;
 };
+
+/// Whether air, not rubber, lies between a sample point and the closest point of another facet in the undeformed state.
+[[nodiscard]] bool are_facing(const ContactSurface::Entry& entry, std::size_t q, const Patch& other,
+                              const ClosestPoint& closest);
+
+/// Whether the facet, in a given shape, faces a surface with this normal.
+[[nodiscard]] bool is_facing(const Patch& patch, const ContactSurface::Entry& entry, std::size_t q,
+                             const Vector3& normal);
 
 /// Distance of a point from a box, 0 inside.
 [[nodiscard]] double outside(const surface::Box& box, const mesh::Point& x);

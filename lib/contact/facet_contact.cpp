@@ -19,14 +19,14 @@ constexpr double no_gap = 1e-6;
 /// Keys of the blocks of smooth obstacles, after those of facets and faceted obstacles.
 constexpr std::size_t smooth_keys = std::size_t{1} << 60;
 
-/// Distance of a point from the same feature in the undeformed state.
-double undeformed_distance(const Patch& map, const Feature& feature, const Point& X) {
+/// The closest point of the same feature in the undeformed state.
+ClosestPoint undeformed_closest(const Patch& patch, const Feature& feature, const Point& X) {
     switch (feature.kind) {
-        case Feature::Kind::facet: return closest_point(map, X).distance_m;
-        case Feature::Kind::edge: return closest_on_edge(map, feature.k, X).distance_m;
-        case Feature::Kind::corner: return at_corner(map, feature.k, X).distance_m;
+        case Feature::Kind::facet: return closest_point(patch, X);
+        case Feature::Kind::edge: return closest_on_edge(patch, feature.k, X);
+        case Feature::Kind::corner: break;
     }
-    return 0;
+    return at_corner(patch, feature.k, X);
 }
 
 }  // namespace
@@ -35,9 +35,9 @@ FacetContact::FacetContact(const ContactState& at, std::size_t facet, std::span<
                            Summary& summary)
     : at_(at), entry_(at.surface.entries()[facet]), map_(at.shape.patches[facet]), others_(others), summary_(summary) {
     const Point& middle = map_.nodes[0];
-    double radius = at.surface.distance_m();
+    double radius = entry_.distance_m;
     for (std::size_t a = 0; a < entry_.nodes.size(); ++a)
-        radius = std::max(radius, at.surface.distance_m() + 1.5 * norm(difference(map_.nodes[a], middle)));
+        radius = std::max(radius, entry_.distance_m + 1.5 * norm(difference(map_.nodes[a], middle)));
     for (const SmoothObstacle& obstacle : at.smooth)
         if (obstacle.distance(at.shifted_back(middle, obstacle.index)).value_m < radius) near_.push_back(&obstacle);
 }
@@ -56,8 +56,9 @@ void FacetContact::add(const std::function<void(const Block&)>& to) {
 
 double FacetContact::stretch_at(std::size_t q) const {
     const auto now = map_(entry_.rule->xi[q]), undeformed = entry_.undeformed(entry_.rule->xi[q]);
-    const double around = at_.surface.is_revolved() && entry_.X[q][1] > 0 ? now.x[1] / entry_.X[q][1] : 1;
-    return around * norm(cross(now.t1, now.t2)) / norm(cross(undeformed.t1, undeformed.t2));
+    const double along = norm(cross(now.t1, now.t2)) / norm(cross(undeformed.t1, undeformed.t2));
+    if (!at_.surface.is_revolved()) return along;
+    return along * (entry_.X[q][1] > same_point * entry_.size_m ? now.x[1] / entry_.X[q][1] : along);
 }
 
 Block& FacetContact::block_of(std::size_t key, int obstacle, std::span<const mesh::Index> others) {
@@ -98,7 +99,7 @@ void FacetContact::add_features(std::size_t q, const Point& x) {
     for (const std::size_t j : others_) {
         const auto& other = at_.surface.entries()[j];
         const Patch& patch = at_.shape.patches[j];
-        const double h = at_.surface.distance_m(), size = other.obstacle < 0 ? other.size_m : entry_.size_m,
+        const double h = entry_.distance_m, size = other.obstacle < 0 ? other.size_m : entry_.size_m,
                      range = std::max(h, overlap_share_of_size * size);
         if (at_least(patch, x) > range || outside(at_.shape.boxes[j], x) > 0) continue;
         const ClosestPoint closest = closest_point(patch, x);
@@ -117,7 +118,7 @@ void FacetContact::add_features(std::size_t q, const Point& x) {
 void FacetContact::add_feature(std::size_t q, const Point& x, const Feature& feature) {
     const auto& other = at_.surface.entries()[feature.facet];
     const bool itself = other.obstacle < 0;
-    const double h = at_.surface.distance_m(), distance = feature.closest.distance_m,
+    const double h = entry_.distance_m, distance = feature.closest.distance_m,
                  size = itself ? other.size_m : entry_.size_m;
     const FacetJet y = jet(at_.shape.patches[feature.facet], feature.closest.xi);
     const Vector3 r = difference(x, y.y);
@@ -126,10 +127,18 @@ void FacetContact::add_feature(std::size_t q, const Point& x, const Feature& fea
     double reach = h, gap = behind ? -distance : distance;
     if (itself) {
         const double near = std::max(h / share_of_initial_gap, distance / overlap_share_of_distance),
-                     bound = at_least(other.undeformed, entry_.X[q]),
-                     initial = bound > near ? bound : undeformed_distance(other.undeformed, feature, entry_.X[q]);
-        if (behind && distance > overlap_share_of_distance * initial) return;
-        reach = std::min(h, share_of_initial_gap * initial);
+                     bound = at_least(other.undeformed, entry_.X[q]);
+        const auto before =
+            bound > near ? ClosestPoint{bound} : undeformed_closest(other.undeformed, feature, entry_.X[q]);
+        const double initial = before.distance_m;
+        if (initial <= near && are_facing(entry_, q, other.undeformed, before)) {
+            gap += at_.surface.initial_overlap_m(entry_, q, -1);
+        } else {
+            if (behind &&
+                (distance > overlap_share_of_distance * initial || !is_facing(map_, entry_, q, feature.normal)))
+                return;
+            reach = std::min(h, share_of_initial_gap * initial);
+        }
     } else {
         gap += at_.surface.initial_overlap_m(entry_, q, other.obstacle);
     }
@@ -164,11 +173,13 @@ void FacetContact::add_feature(std::size_t q, const Point& x, const Feature& fea
 
 void FacetContact::add_smooth(std::size_t q, const Point& x, const SmoothObstacle& obstacle) {
     const Distance d = obstacle.distance(at_.shifted_back(x, obstacle.index));
-    const double h = at_.surface.distance_m(), initial = obstacle.distance(entry_.X[q]).value_m;
+    const double h = entry_.distance_m, initial = obstacle.distance(entry_.X[q]).value_m;
     const bool mirror = obstacle.index < 0;
     if (mirror && initial <= same_point * entry_.size_m) return;
-    const double reach = mirror ? std::min(h, share_of_initial_gap * initial) : h,
-                 gap = d.value_m + (mirror ? 0 : std::max(h - initial, 0.0));
+    const bool along_rubber =
+        mirror && !is_facing(entry_.undeformed, entry_, q, obstacle.distance(entry_.X[q]).gradient);
+    const double reach = along_rubber ? std::min(h, share_of_initial_gap * initial) : h,
+                 gap = d.value_m + (along_rubber ? 0 : std::max(h - initial, 0.0));
     if (gap >= reach) return;
     const Barrier b = barrier(gap, reach);
     const std::size_t nodes = entry_.nodes.size();

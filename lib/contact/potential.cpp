@@ -104,10 +104,13 @@ double Potential::Parts::share_without_crossing(ContactSurface::Shape from, std:
                 const Vector3 r = difference(x, y.x), n = cross(y.t1, y.t2);
                 if (dot(r, n) < 0 && !closest.is_interior) continue;
                 const double behind = dot(r, n) < 0 ? -1 : 1;
-                if (closest.distance_m == 0 ||
-                    (behind < 0 && closest_point(other.undeformed, entry.X[q]).distance_m * overlap_share_of_distance <
-                                       closest.distance_m))
-                    continue;
+                if (closest.distance_m == 0) continue;
+                if (behind < 0) {
+                    const ClosestPoint before = closest_point(other.undeformed, entry.X[q]);
+                    const bool overlaps = closest.distance_m < overlap_share_of_distance * before.distance_m &&
+                                          is_facing(from.patches[i], entry, q, n);
+                    if (!overlaps && !are_facing(entry, q, other.undeformed, before)) continue;
+                }
                 const Vector3 relative = difference(difference(next, x), difference(to.patches[j](closest.xi).x, y.x));
                 limit(behind * closest.distance_m, -behind * dot(relative, r) / closest.distance_m,
                       other.obstacle < 0 ? std::min(other.size_m, entry.size_m) : entry.size_m);

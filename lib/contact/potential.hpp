@@ -6,8 +6,8 @@
 /// sides count) or to an obstacle. The contact pressure is k |b'|; the gap left in contact is below the contact distance h.
 /// Facets are the curved facets of the mesh, and no term of the second derivatives is omitted.
 /// d_q is negative behind the facet, where it is at most a fraction of the facet's size and of D: only Newton's iterates go there.
-/// No force acts without strain: h of a pair is at most a tenth of the undeformed distance D between point and facet, which also separates
-/// points that are close along the material; near obstacles with D < h the barrier depends on d + h - D.
+/// No force acts without strain: where obstacles, or facets that face each other, are closer than h in the undeformed state, at D, the
+/// barrier depends on d + h - D. The h of other pairs is at most a tenth of D, which separates points that are close along the material.
 /// A symmetry plane, and the axis r = 0, is an obstacle without friction: a body touches its mirror image at the plane.
 /// Two sides of one wall, and facets that share a node and are visible from one side (Volino), do not act on each other.
 /// Derived here; the idea of the potential: Li et al. 2020 (barrier.hpp), on curved facets as in M. Ferguson et al., High-order
@@ -45,7 +45,7 @@ public:
 
     /// True where nothing can ever touch: evaluate() finds no blocks.
     [[nodiscard]] bool is_empty() const;
-    [[nodiscard]] double distance_m() const;  ///< h
+    [[nodiscard]] double distance_m() const;  ///< the largest h
     /// Steps in which the distance of all pairs changes by less than this need no limit.
     [[nodiscard]] double harmless_step_m() const;
     /// Nodes of the free facets, ascending: the positions that evaluate() reads.

@@ -163,7 +163,8 @@ TEST(Plate, FollowsTheSnapThroughOfSingleCells) {
         "material={law: mooney-rivlin, c10: 5.0108 kPa, c01: 0.71213 kPa, kappa: 227.81 kPa}",
         "mesh={size: 1.8157 mm, formulation: displacement, grading: 16}",
         "loads={bottom: {pressure: 6.2042 kPa}}",
-        "path.stretch_limit=7.6889"};
+        "path.stretch_limit=7.6889",
+        "path.contact=stop"};  // not reached; contact forces in the crease at the clamp would change the snap-throughs
     const auto with_accuracy = [&](const std::string& accuracy) {
         auto changes = soft;
         changes.push_back("solver.step_accuracy=" + accuracy);
