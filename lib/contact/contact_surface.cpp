@@ -52,13 +52,21 @@ void add_triangle(SampleRule& rule, const std::array<FacetPoint, 3>& corners, do
     add_point(rule, mean({corners[0], corners[1], corners[2]}), area * 9 / 20);
 }
 
-surface::Box box_of_nodes(const Patch& map, double margin_m) {
-    surface::Box box = box_of(std::span{map.nodes}.first(static_cast<std::size_t>(mesh::node_count(map.type))));
+/// The box of a facet grows by this much.
+double margin_of(const surface::Box& box, double distance_m) {
     double longest = 0;
     for (std::size_t d = 0; d < 3; ++d) longest = std::max(longest, box.high[d] - box.low[d]);
+    return distance_m + beyond_nodes * longest;
+}
+
+surface::Box box_of_nodes(const Patch& map) {
+    return box_of(std::span{map.nodes}.first(static_cast<std::size_t>(mesh::node_count(map.type))));
+}
+
+surface::Box grown(surface::Box box, double margin_m) {
     for (std::size_t d = 0; d < 3; ++d) {
-        box.low[d] -= margin_m + beyond_nodes * longest;
-        box.high[d] += margin_m + beyond_nodes * longest;
+        box.low[d] -= margin_m;
+        box.high[d] += margin_m;
     }
     return box;
 }
@@ -116,15 +124,6 @@ bool are_facing(const ContactSurface::Entry& entry, std::size_t q, const Patch& 
 
 bool is_facing(const Patch& patch, const ContactSurface::Entry& entry, std::size_t q, const Vector3& normal) {
     return dot(unit(normal_at(patch, entry.rule->xi[q])), unit(normal)) < -facing;
-}
-
-double outside(const surface::Box& box, const Point& x) {
-    double sum = 0;
-    for (std::size_t d = 0; d < 3; ++d) {
-        const double out = std::max({box.low[d] - x[d], x[d] - box.high[d], 0.0});
-        sum += out * out;
-    }
-    return std::sqrt(sum);
 }
 
 NormalCone normals(const Patch& facet) {
@@ -207,7 +206,7 @@ void ContactSurface::add_obstacles(const model::Case& model) {
 
 void ContactSurface::find_initial_overlaps() {
     std::vector<surface::Box> boxes;
-    for (const Entry& entry : entries_) boxes.push_back(box_of_nodes(entry.undeformed, distance_m_));
+    for (const Entry& entry : entries_) boxes.push_back(grown(box_of_nodes(entry.undeformed), distance_m_));
     for (const auto& [first, second] : surface::overlapping_pairs(boxes)) {
         const Entry &entry = entries_[static_cast<std::size_t>(first)],
                     &other = entries_[static_cast<std::size_t>(second)];
@@ -250,6 +249,7 @@ Adjacency ContactSurface::find_adjacency(const Entry& a, const Entry& b) const {
 
 ContactSurface::Shape ContactSurface::shape(std::span<const Point> positions, std::span<const Vector3> shifts) const {
     Shape shape;
+    shape.margin_m = std::numeric_limits<double>::max();
     for (const Entry& entry : entries_) {
         surface::FacetMap map{entry.undeformed.type, entry.undeformed.nodes};
         for (std::size_t a = 0; a < entry.nodes.size(); ++a)
@@ -257,7 +257,10 @@ ContactSurface::Shape ContactSurface::shape(std::span<const Point> positions, st
         if (entry.obstacle >= 0)
             for (Point& node : map.nodes) node = along(node, 1, shifts[static_cast<std::size_t>(entry.obstacle)]);
         shape.patches.push_back(make_patch(map));
-        shape.boxes.push_back(box_of_nodes(shape.patches.back(), distance_m_));
+        const surface::Box box = box_of_nodes(shape.patches.back());
+        const double margin_m = margin_of(box, distance_m_);
+        shape.boxes.push_back(grown(box, margin_m));
+        if (entry.obstacle < 0) shape.margin_m = std::min(shape.margin_m, margin_m);
     }
     return shape;
 }

@@ -60,7 +60,8 @@ public:
     /// The entries at current positions.
     struct Shape {
         std::vector<Patch> patches;
-        std::vector<surface::Box> boxes;  ///< contain the facets and everything within the contact distance
+        std::vector<surface::Box> boxes;  ///< contain the facets and everything within a margin
+        double margin_m = 0;              ///< the smallest; at least the contact distance
     };
     [[nodiscard]] Shape shape(std::span<const mesh::Point> positions, std::span<const Vector3> shifts) const;
 
@@ -87,9 +88,6 @@ private:
 /// Whether the facet, in a given shape, faces a surface with this normal.
 [[nodiscard]] bool is_facing(const Patch& patch, const ContactSurface::Entry& entry, std::size_t q,
                              const Vector3& normal);
-
-/// Distance of a point from a box, 0 inside.
-[[nodiscard]] double outside(const surface::Box& box, const mesh::Point& x);
 
 /// Cone of the normals at the nodes.
 [[nodiscard]] NormalCone normals(const Patch& facet);

@@ -10,7 +10,7 @@ namespace {
 using mesh::Point;
 
 /// A point behind a facet by less than this overlaps with it: fractions of the undeformed distance and of the facet's size.
-constexpr double overlap_share_of_size = 0.5;
+constexpr double overlap_share_of_size = 0.2;
 constexpr double share_of_initial_gap = 0.1;
 /// Two points of the undeformed body this close (fraction of the facet's size) are the same.
 constexpr double same_point = 1e-9;
@@ -38,8 +38,13 @@ FacetContact::FacetContact(const ContactState& at, std::size_t facet, std::span<
     double radius = entry_.distance_m;
     for (std::size_t a = 0; a < entry_.nodes.size(); ++a)
         radius = std::max(radius, entry_.distance_m + 1.5 * norm(difference(map_.nodes[a], middle)));
-    for (const SmoothObstacle& obstacle : at.smooth)
-        if (obstacle.distance(at.shifted_back(middle, obstacle.index)).value_m < radius) near_.push_back(&obstacle);
+    for (const SmoothObstacle& obstacle : at.smooth) {
+        const double beyond = obstacle.distance(at.shifted_back(middle, obstacle.index)).value_m - radius;
+        if (beyond < 0)
+            near_.push_back(&obstacle);
+        else
+            clearance_m_ = std::min(clearance_m_, beyond);
+    }
 }
 
 void FacetContact::add(const std::function<void(const Block&)>& to) {
@@ -101,9 +106,14 @@ void FacetContact::add_features(std::size_t q, const Point& x) {
         const Patch& patch = at_.shape.patches[j];
         const double h = entry_.distance_m, size = other.obstacle < 0 ? other.size_m : entry_.size_m,
                      range = std::max(h, overlap_share_of_size * size);
-        if (at_least(patch, x) > range || outside(at_.shape.boxes[j], x) > 0) continue;
+        if (const double beyond = at_least(patch, x); beyond > range) {
+            clearance_m_ = std::min(clearance_m_, beyond - h);
+            continue;
+        }
         const ClosestPoint closest = closest_point(patch, x);
-        if (closest.distance_m > range || is_at(q, other)) continue;
+        if (is_at(q, other)) continue;
+        clearance_m_ = std::min(clearance_m_, closest.distance_m - h);
+        if (closest.distance_m > range) continue;
         const auto y = patch(closest.xi);
         touches = touches || closest.distance_m < h || dot(difference(x, y.x), cross(y.t1, y.t2)) < 0;
         facets[other.obstacle].push_back(j);
@@ -180,6 +190,7 @@ void FacetContact::add_smooth(std::size_t q, const Point& x, const SmoothObstacl
         mirror && !is_facing(entry_.undeformed, entry_, q, obstacle.distance(entry_.X[q]).gradient);
     const double reach = along_rubber ? std::min(h, share_of_initial_gap * initial) : h,
                  gap = d.value_m + (along_rubber ? 0 : std::max(h - initial, 0.0));
+    clearance_m_ = std::min(clearance_m_, gap - reach);
     if (gap >= reach) return;
     const Barrier b = barrier(gap, reach);
     const std::size_t nodes = entry_.nodes.size();

@@ -1,6 +1,7 @@
 #pragma once
 /// Contact of one facet of the actuator with other facets and obstacles. Private to the module. Tested by contact/potential_test.
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -41,6 +42,8 @@ public:
 
     /// Sums over the sample points and passes the blocks on.
     void add(const std::function<void(const Block&)>& to);
+    /// A lower bound of the motion towards each other after which a point of this facet may touch; 0 or less in contact.
+    [[nodiscard]] double clearance_m() const { return clearance_m_; }
 
 private:
     /// Whether a sample point lies on another facet, at a common corner or edge.
@@ -60,6 +63,7 @@ private:
     Summary& summary_;
     std::vector<const SmoothObstacle*> near_;
     std::map<std::size_t, Block> blocks_;
+    double clearance_m_ = std::numeric_limits<double>::max();
 };
 
 }  // namespace soft::contact

@@ -60,8 +60,7 @@ void Contact::read_positions() {
 
 contact::Summary Contact::evaluate(contact::Wanted wanted,
                                    const std::function<void(std::span<const PetscInt>, const contact::Block&)>& add) {
-    if (potential_.is_empty()) return {};
-    read_positions();
+    if (!potential_.is_empty()) read_positions();
     std::vector<PetscInt> dofs;
     auto summary = potential_.evaluate(
         positions_, shifts_, wanted,
@@ -101,9 +100,11 @@ double Contact::share_without_crossing(Vec from, const LoadLevels& levels, Vec t
     }
     for (std::size_t k = 0; k < shifts.size(); ++k)
         largest = std::max(largest, norm(difference(shifts_[k], shifts[k])));
-    return 2 * largest < potential_.harmless_step_m()
-               ? 1
-               : potential_.share_without_crossing(positions, shifts, positions_, shifts_);
+    double share = 2 * largest < potential_.harmless_step_m()
+                       ? 1
+                       : potential_.share_without_crossing(positions, shifts, positions_, shifts_);
+    MPI_Allreduce(MPI_IN_PLACE, &share, 1, MPI_DOUBLE, MPI_MIN, fe_.comm);
+    return share;
 }
 
 bool Contact::couple(Vec x) {
