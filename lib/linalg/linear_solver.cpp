@@ -57,6 +57,7 @@ void LinearSolver::pattern_changed() {
     SOFT_PETSC(KSPReset(ksp_));
     order_.clear();
     if (settings_.method == LinearMethod::automatic) use_factorization(choice_);
+    if (multigrid_) multigrid_->attach(preconditioner());
     set_operators();
 }
 

@@ -54,6 +54,8 @@ using NullSpace = Owned<MatNullSpace, MatNullSpaceDestroy>;
 void spread(std::span<const double> all, Vec distributed);
 void copy(Vec from, Vec to);
 void add(Vec y, double factor, Vec x);  ///< y += factor x
+/// Y += factor X, whose pattern that of Y contains.
+void add(Mat Y, double factor, Mat X);
 /// Completes the insertion or addition of entries. Collective.
 void assemble(Vec x);
 void assemble(Mat K);

@@ -76,6 +76,8 @@ void BorderedSystem::rebuild_pattern() {
     SOFT_PETSC(MatHeaderReplace(K, &replacement));
     spare_ = {};
     linear.pattern_changed();
+    if (differences_) differences_.emplace(system, K, settings.tangent);
+    if (settings.linear.method == model::LinearMethod::jacobian_free) linear.set_operator(differences_->jacobian());
     factor_is_recent = false;
     assembled_at_.reset();
 }
