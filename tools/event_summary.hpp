@@ -13,7 +13,8 @@ namespace soft::cli {
 /// The JSON of a point: step, load, volume and outputs, in the units of the tool.
 using PointJson = std::function<nlohmann::ordered_json(const model::LimitPoint&)>;
 
-/// Adds the arrays `limit_points`, `bifurcations` (with modes, mode_stored) and `events` (first contacts, with obstacle, location_mm, text).
+/// Adds the arrays `limit_points`, `bifurcations` (with modes, mode_stored) and `events` (first contacts, with obstacle, location_mm,
+/// text).
 void add_events(nlohmann::ordered_json& json, const model::PathEnd& end, const model::Case& model,
                 const PointJson& point_json);
 
