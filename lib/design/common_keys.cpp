@@ -175,12 +175,13 @@ const std::vector<SectionNote>& section_notes() {
         {"supports", "component: face or [face, face]; fixed: all components; x, y, z or r: that component"},
         {"loads",
          "cavity (or cavities: name): {pressure | volume | volume_ratio | mass | valve: closed}, sealed, gas; a face: " +
-             form_list(LoadTarget::face) + "; an obstacle: {displacement, along}; gravity: " + form_list(LoadTarget::gravity) +
+             form_list(LoadTarget::face) +
+             "; an obstacle: {displacement, along}; gravity: " + form_list(LoadTarget::gravity) +
              "; with dynamics also "
              "time_function: {kind: ramp, rise | step | sine, frequency | table, times, shares}, and of a cavity line: {resistance}"},
         {"obstacles",
-         "name: {plane | cylinder | sphere | box | profile | surface, friction}; rigid, at rest or moved by a load of "
-         "the same name"},
+         "name: {plane | cylinder | sphere | box | profile | surface}; rigid, at rest or moved by a load of the same "
+         "name"},
         {"contact", "of the actuator with itself and with the obstacles"},
         {"path",
          "from the unloaded state to the full load, or through stages: {name: {loads, control, controlled, until}, ...}"},

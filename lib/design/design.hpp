@@ -114,8 +114,7 @@ struct Design {
     /// Its dimensions are in `values`, below "obstacles.<name>".
     struct ObstacleRequest {
         std::string name;
-        std::string shape;               ///< "plane"
-        std::optional<double> friction;  ///< nullopt: that of `contact`
+        std::string shape;  ///< "plane"
     };
     std::vector<ObstacleRequest> obstacles;
     model::ContactSettings contact;

@@ -183,7 +183,6 @@ Keys output_section_keys() {
 Keys obstacle_section_keys(std::span<const ObstacleKeys> shapes) {
     Keys keys;
     for (const ObstacleKeys& shape : shapes) append_keys(keys, obstacle_keys("OBSTACLE", shape));
-    std::ranges::stable_partition(keys, [](const Key& key) { return !key.path.ends_with(".friction"); });
     return keys;
 }
 
@@ -257,7 +256,7 @@ std::string key_list(std::span<const FamilyKeys> families) {
                             "`; an obstacle has `displacement`. `time_function` and `line` need `dynamics.duration`.",
                         rows_of(load_section_keys()));
     if (!families.empty())
-        text += key_section("obstacles", "An obstacle has one shape: the keys of one of these groups, and `friction`.",
+        text += key_section("obstacles", "An obstacle has one shape: the keys of one of these groups.",
                             rows_of(obstacle_section_keys(families.front().obstacles)));
     text += key_section("contact", "", rows_of(contact_keys()));
     text += key_section("path", "", rows_of(path_section_keys()));

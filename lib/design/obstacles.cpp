@@ -12,23 +12,14 @@
 namespace soft::design {
 namespace {
 
-using model::ContactSettings, model::Obstacle;
+using model::ContactSettings;
 
-constexpr std::string_view contact_section = "contact", friction_key = "friction";
+constexpr std::string_view contact_section = "contact";
 
 const Settings<ContactSettings>& contact_settings() {
     static const Settings<ContactSettings> settings{
-        flag("self", &ContactSettings::self, "contact of the actuator with itself and with its mirror images"),
-        number(std::string{friction_key}, &ContactSettings::friction, at_least(0),
-               "coefficient of Coulomb friction of all contacts; 0: frictionless")};
+        flag("self", &ContactSettings::self, "contact of the actuator with itself and with its mirror images")};
     return settings;
-}
-
-const Setting<Obstacle>& friction_setting() {
-    static const Setting<Obstacle> setting =
-        or_word(std::string{contact_section}, number(std::string{friction_key}, &Obstacle::friction, at_least(0),
-                                                     "coefficient of Coulomb friction; contact: contact.friction"));
-    return setting;
 }
 
 std::string obstacle_path(const std::string& name) { return std::string{obstacles_section} + "." + name; }
@@ -58,8 +49,7 @@ const ObstacleKeys& shape_of(const Member& obstacle, std::span<const ObstacleKey
     }
     if (found != nullptr) return *found;
     for (const Member& member : obstacle.value.members)
-        if (member.key != friction_key)
-            refuse(member.location, path + "." + member.key, "unknown key", core::did_you_mean(member.key, words));
+        refuse(member.location, path + "." + member.key, "unknown key", core::did_you_mean(member.key, words));
     refuse(obstacle.location, path, "the shape of the obstacle is missing", "add " + core::join(words, " | "));
 }
 
@@ -69,7 +59,6 @@ std::vector<Key> contact_keys() { return keys_of(contact_settings(), std::string
 
 std::vector<Key> obstacle_keys(const std::string& name, const ObstacleKeys& shape) {
     std::vector<Key> keys = shape.keys;
-    keys.push_back(friction_setting().key);
     for (Key& key : keys) key.path.insert(0, obstacle_path(name) + ".");
     return keys;
 }
@@ -91,17 +80,12 @@ model::ContactSettings contact_of(const Values& values) {
 std::vector<Design::ObstacleRequest> obstacles_of(std::span<const Item> items, std::span<const ObstacleKeys> shapes,
                                                   const Values& values) {
     std::vector<Design::ObstacleRequest> obstacles;
-    for (const Item& item : items) {
-        const std::string name =
-            name_between(item.key.path, std::string{obstacles_section} + ".", "." + std::string{friction_key});
-        if (name.empty()) continue;
-        const auto shape = std::ranges::find_if(shapes, [&](const ObstacleKeys& one) {
-            return values.has(obstacle_path(name) + "." + one.keys.front().path);
-        });
-        Obstacle read;
-        friction_setting().read(values, item.key.path, read);
-        obstacles.push_back({name, shape->name, read.friction});
-    }
+    for (const Item& item : items)
+        for (const ObstacleKeys& shape : shapes) {
+            const std::string first_key = "." + shape.keys.front().path;
+            const std::string name = name_between(item.key.path, std::string{obstacles_section} + ".", first_key);
+            if (!name.empty() && values.has(item.key.path)) obstacles.push_back({name, shape.name});
+        }
     return obstacles;
 }
 

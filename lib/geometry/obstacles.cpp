@@ -54,7 +54,7 @@ std::vector<model::Obstacle> make_obstacles(const design::Design& design, const 
     std::vector<model::Obstacle> obstacles;
     for (const auto& request : design.obstacles) {
         const ObstacleShape& own = shape_of(request);
-        model::Obstacle& obstacle = obstacles.emplace_back(model::Obstacle{request.name, {}, request.friction});
+        model::Obstacle& obstacle = obstacles.emplace_back(model::Obstacle{request.name, {}});
         if (own.storage == ObstacleStorage::design) {
             obstacle.shape = own.build({design.values, path_of(request.name), shape.kinematics});
             continue;

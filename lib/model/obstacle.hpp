@@ -3,7 +3,6 @@
 /// (x, r, 0), in plane strain (x, y, 0).
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -53,12 +52,10 @@ struct FacetedSurface {
 struct Obstacle {
     std::string name;
     std::variant<Plane, Cylinder, Sphere, FacetedSurface> shape;
-    std::optional<double> friction;  ///< coefficient of Coulomb friction; nullopt: ContactSettings::friction
 };
 
 struct ContactSettings {
-    bool self = true;     ///< contact of the actuator with itself
-    double friction = 0;  ///< coefficient of Coulomb friction
+    bool self = true;  ///< contact of the actuator with itself
 };
 
 }  // namespace soft::model

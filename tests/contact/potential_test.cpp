@@ -132,12 +132,12 @@ TEST_P(PotentialOf, DerivativesOfContactWithObstaclesAreExact) {
         const double h = Potential(model, std::array{modulus_Pa}).distance_m();
         // The obstacles are 3 h away from the left block's face x = 0, and are then moved to about 0.6 h.
         const double x = -3 * h;
-        model.obstacles.push_back({"plane", model::Plane{{x, 0, 0}, {1, 0, 0}}, {}});
-        model.obstacles.push_back({"cylinder", model::Cylinder{{x - 2, 0.5, 0}, {0, 0, 1}, 2}, {}});
-        if (dimension == 3) model.obstacles.push_back({"sphere", model::Sphere{{x - 3, 0.5, 0.5}, 3}, {}});
+        model.obstacles.push_back({"plane", model::Plane{{x, 0, 0}, {1, 0, 0}}});
+        model.obstacles.push_back({"cylinder", model::Cylinder{{x - 2, 0.5, 0}, {0, 0, 1}, 2}});
+        if (dimension == 3) model.obstacles.push_back({"sphere", model::Sphere{{x - 3, 0.5, 0.5}, 3}});
         model::FacetedSurface wall{{{x, 2, -1}, {x, -1, -1}, {x, 0.5, 3}}, {{0, 2, 1}}};
         if (dimension == 2) wall = {{{x, -1, 0}, {x, 2, 0}}, {{0, 1, -1}}};
-        model.obstacles.push_back({"wall", wall, {}});
+        model.obstacles.push_back({"wall", wall});
         Potential potential(model, std::array{modulus_Pa});
         State state{model.mesh.points, {}};
         for (std::size_t k = 0; k < model.obstacles.size(); ++k)

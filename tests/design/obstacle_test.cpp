@@ -25,38 +25,30 @@ TEST(Obstacle, IsAbsentByDefaultAndContactIsSolved) {
     const Design design = read(minimal_design);
     EXPECT_TRUE(design.obstacles.empty());
     EXPECT_TRUE(design.contact.self);
-    EXPECT_EQ(design.contact.friction, 0);
     EXPECT_EQ(design.path.contact, model::Contact::solve);
     EXPECT_EQ(read(base + "path: {contact: stop}\n").path.contact, model::Contact::stop);
     EXPECT_TRUE(contains(refusal(base + "path: {contact: sovle}\n"), "did you mean 'solve'"));
 }
 
-TEST(Obstacle, HasAShapeAndItsOwnFrictionOrThatOfContact) {
-    const Design design =
-        read(base +
-             "contact: {self: false, friction: 0.2}\nobstacles:\n  wall: {surface: wall.stl, unit: m, friction: 0.3}\n"
-             "  table: {plane: {point: [0 mm, 1 cm, -5 mm], normal: [0, 0, 1]}}\n");
+TEST(Obstacle, HasAShapeAndTheOrderOfTheDesign) {
+    const Design design = read(base +
+                               "contact: {self: false}\nobstacles:\n  wall: {surface: wall.stl, unit: m}\n"
+                               "  table: {plane: {point: [0 mm, 1 cm, -5 mm], normal: [0, 0, 1]}}\n");
     EXPECT_FALSE(design.contact.self);
-    EXPECT_EQ(design.contact.friction, 0.2);
     ASSERT_EQ(design.obstacles.size(), 2u);
     EXPECT_EQ(design.obstacles[0].name, "wall");  // in the order of the design
     EXPECT_EQ(design.obstacles[0].shape, "surface");
-    EXPECT_EQ(design.obstacles[0].friction, 0.3);
     EXPECT_EQ(design.values.text("obstacles.wall.unit"), "m");
     EXPECT_EQ(design.obstacles[1].shape, "plane");
-    EXPECT_FALSE(design.obstacles[1].friction);
     EXPECT_EQ(design.values.numbers("obstacles.table.plane.point"), (std::vector{0.0, 0.01, -0.005}));
     EXPECT_EQ(read(design.effective_yaml).effective_yaml, design.effective_yaml);
 }
 
 TEST(Obstacle, TakesOverridesAndIsExplained) {
-    const Design design = read(
-        base + table, {{"obstacles.table.friction", "0.4"}, {"obstacles.table.plane.point", "[0 mm, 0 mm, -7 mm]"}});
-    EXPECT_EQ(design.obstacles.at(0).friction, 0.4);
+    const Design design = read(base + table, {{"obstacles.table.plane.point", "[0 mm, 0 mm, -7 mm]"}});
     EXPECT_EQ(design.values.numbers("obstacles.table.plane.point").at(2), -0.007);
     const std::string explained = explain_design(base + table, "p.yaml", families(), {});
     EXPECT_TRUE(contains(explained, "point: [0 mm, 0 mm, -5 mm]")) << explained;
-    EXPECT_TRUE(contains(explained, "coefficient of Coulomb friction")) << explained;
 }
 
 TEST(Obstacle, ThatIsInvalidIsRefusedAtItsPlace) {
@@ -69,8 +61,8 @@ TEST(Obstacle, ThatIsInvalidIsRefusedAtItsPlace) {
     EXPECT_TRUE(contains(refused("a: {plne: {point: 1}}"), "obstacles.a.plne: unknown key; did you mean 'plane'?"));
     EXPECT_TRUE(contains(refused("a: {" + plane + ", surface: b.stl}"),
                          "obstacles.a.surface: the obstacle is a plane already; write two obstacles"));
-    EXPECT_TRUE(contains(refused("a: {" + plane + ", frction: 1}"), "obstacles.a.frction: unknown key; did you mean"));
-    EXPECT_TRUE(contains(refused("a: {" + plane + ", friction: -1}"), "it must be at least 0"));
+    EXPECT_TRUE(contains(refused("a: {" + plane + ", friction: 1}"), "obstacles.a.friction: unknown key"));
+    EXPECT_TRUE(contains(refusal(base + "contact: {friction: 1}\n"), "contact.friction: unknown key"));
     EXPECT_TRUE(contains(refused("a: {plane: {normal: [1, 0, 0]}}"), "obstacles.a.plane.point: missing"));
     EXPECT_TRUE(contains(refused("a: {plane: {point: [0, 0, 1], normal: [1, 0, 0]}}"), "obstacles.a.plane.point: "));
     for (const std::string name : {"inlet", "end_disc"})  // a face and its alias
@@ -88,7 +80,7 @@ TEST(Obstacle, IsMovedByALoadOfItsName) {
     EXPECT_EQ(design.motions[0].displacement_m, 5e-3);
     EXPECT_EQ(design.motions[0].along, "z");
     EXPECT_EQ(read(design.effective_yaml).effective_yaml, design.effective_yaml);
-    EXPECT_EQ(read_built(design.effective_yaml, {{"loads.table.displacement", "2 mm"}, {"contact.friction", "0.1"}})
+    EXPECT_EQ(read_built(design.effective_yaml, {{"loads.table.displacement", "2 mm"}, {"contact.self", "false"}})
                   .motions.at(0)
                   .displacement_m,
               2e-3);

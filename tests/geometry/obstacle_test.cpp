@@ -65,16 +65,13 @@ void expect_point(const mesh::Point& point, const mesh::Point& expected) {
 TEST(SolidObstacles, KeepTheirPositionAndUnitVectors) {
     const model::Case c =
         built(rod() +
-              "contact: {friction: 0.1}\nobstacles:\n"
-              "  table: {plane: {point: [0 mm, 0 mm, -3 mm], normal: [0, 0, 2]}, friction: 0.5}\n"
+              "obstacles:\n"
+              "  table: {plane: {point: [0 mm, 0 mm, -3 mm], normal: [0, 0, 2]}}\n"
               "  post: {cylinder: {point: [20 mm, 0 mm, 14 mm], axis: [0, -3, 0], radius: 3 mm}}\n"
               "  sleeve: {cylinder: {point: [1 mm, 5 mm, 5 mm], axis: [1, 0, 0], radius: 9 mm, inside: true}}\n"
               "  ball: {sphere: {center: [60 mm, 0 mm, -20 mm], radius: 8 mm}}\n")
             .model;
-    EXPECT_EQ(c.contact.friction, 0.1);
     ASSERT_EQ(c.obstacles.size(), 4u);
-    EXPECT_EQ(c.obstacles[0].friction, 0.5);
-    EXPECT_FALSE(c.obstacles[1].friction);
     const auto& plane = std::get<model::Plane>(c.obstacles[0].shape);
     expect_point(plane.point, {0, 0, -3 * mm});
     EXPECT_EQ(plane.normal, (Vector3{0, 0, 1}));

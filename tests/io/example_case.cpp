@@ -93,12 +93,10 @@ model::Case section_case() {
                         {"end_disc", force, {0, 250.0, 0}, table, 4.5e-4},
                         {"gravity", gravity, {-9.81, 0, 0}, {model::TimeFunctionKind::step, 0, 0, {}, {}}}};
     model.motions = {{"inlet", {-2e-3, std::nullopt, std::nullopt}}, {"end_disc", {0.0, 1e-3, std::nullopt}}};
-    model.obstacles = {
-        {"wall", model::Plane{{0.9, 0, 0}, {-1, 0, 0}}, 0.3},
-        {"die",
-         model::FacetedSurface{{{0.5, 1, 0}, {1.0 / 3, 1.5, 0}, {0.7, 2, 0}}, {{0, 1, -1}, {1, 2, -1}, {2, 0, -1}}},
-         std::nullopt}};
-    model.contact = {.self = false, .friction = 0.15};
+    model.obstacles = {{"wall", model::Plane{{0.9, 0, 0}, {-1, 0, 0}}},
+                       {"die", model::FacetedSurface{{{0.5, 1, 0}, {1.0 / 3, 1.5, 0}, {0.7, 2, 0}},
+                                                     {{0, 1, -1}, {1, 2, -1}, {2, 0, -1}}}}};
+    model.contact = {.self = false};
     model.outputs = {{"elongation", "inlet", {-1, 0, 0}},
                      {"bend", "cavity", {0.6, 0.8, 0}, model::Measure::bend, "end_disc"}};
     model.path.stages = {

@@ -41,7 +41,6 @@ void expect_equal(const Sphere& left, const Sphere& right) {
 
 void expect_equal(const Obstacle& left, const Obstacle& right) {
     EXPECT_EQ(left.name, right.name);
-    EXPECT_EQ(left.friction, right.friction);
     ASSERT_EQ(left.shape.index(), right.shape.index());
     std::visit([&]<class Shape>(const Shape& shape) { expect_equal(shape, std::get<Shape>(right.shape)); }, left.shape);
 }
@@ -203,7 +202,6 @@ void expect_equal(const Case& left, const Case& right) {
     });
     expect_all(left.obstacles, right.obstacles, [](const auto& a, const auto& b) { expect_equal(a, b); });
     EXPECT_EQ(left.contact.self, right.contact.self);
-    EXPECT_EQ(left.contact.friction, right.contact.friction);
     expect_all(left.path.stages, right.path.stages, [](const auto& a, const auto& b) { expect_equal(a, b); });
     EXPECT_EQ(left.path.branch, right.path.branch);
     EXPECT_EQ(left.path.imperfection_m, right.path.imperfection_m);
