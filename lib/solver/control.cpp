@@ -116,7 +116,6 @@ std::optional<ControlChange> better_control(const fem::System& system, const Pat
 }
 
 std::optional<ControlChange> control_after_failure(const fem::System& system, const PathState& path, bool too_short) {
-    if (linalg::norm(path.last->tangent.x) == 0.0) return std::nullopt;  // an obstacle approaches: no arc length
     const bool by_load = path.control.kind == ConstraintKind::load_factor;
     if (by_load && stage_of(system.input(), path).control == Control::automatic)
         return ControlChange{softer_control(system, *path.loads), "a step under the load factor fails"};
