@@ -145,7 +145,8 @@ Outcome collapsed_ring() {
     const Run run = run_design("verification/contact-ring-pressure.yaml", {stages("outer", pressures)});
     const std::vector<double> side_mm{7.1883, 7.5721, 7.7169, 7.8596, 7.9983, 8.1306};
     const auto ends = stage_ends(run);
-    std::vector<Value> values;
+    std::vector<Value> values{
+        {"pressure at the first contact [Pa]", 162.621, run.end.first_contacts.at(0).at.pressure_Pa}};
     for (std::size_t i = 0; i < side_mm.size(); ++i)
         values.push_back({"outward displacement at " + pressures[i].substr(10) + " [mm]", side_mm[i],
                           1e3 * ends.at(i).outputs.at(1)});
