@@ -198,19 +198,18 @@ contact::Summary contact_at(Corrector& corrector, const PathState& path, const S
     return corrector.system().contact().measure(state.x);
 }
 
-/// Bisects on the cubic between both states, then solves for the last state without contact that it gives.
+/// Bisects on states of the path: a cubic between both states does not bend where the path does, at the contact.
 std::optional<Event> locate_first_contact(Corrector& corrector, const PathState& path, const PathPoint& to) {
-    const PathPoint& from = *path.last;
-    if (!to.touches || from.touches) return std::nullopt;
-    contact::Summary touch = contact_at(corrector, path, to.state);
-    double apart = from.q, touching = to.q;
+    if (!to.touches || path.last->touches) return std::nullopt;
+    std::optional<PathPoint> apart, touching;
     for (int i = 0; i < contact_halvings; ++i) {
-        const double q = 0.5 * (apart + touching);
-        const contact::Summary here = contact_at(corrector, path, predict(&from, to, q));
-        (here.touches() ? touching : apart) = q;
-        if (here.touches()) touch = here;
+        const PathPoint &a = apart ? *apart : *path.last, &b = touching ? *touching : to;
+        auto middle = corrector.solve_between(frame_of(path), a, b, 0.5 * (a.q + b.q));
+        if (!middle) break;
+        (middle->touches ? touching : apart) = std::move(middle);
     }
-    auto point = corrector.solve_between(frame_of(path), from, to, apart > from.q ? apart : touching);
+    const contact::Summary touch = contact_at(corrector, path, touching ? touching->state : to.state);
+    std::optional<PathPoint>& point = apart ? apart : touching;
     if (!point) return std::nullopt;
     return Event{Event::Kind::first_contact, std::move(*point), 0, {}, touch.touched, *touch.location};
 }

@@ -6,7 +6,7 @@
 
 namespace soft::verification {
 
-std::vector<Problem> contact_problems() {
+std::vector<Problem> closing_wall_problems() {
     return {{"Actuators", "bellows under vacuum until walls touch", [] {
                  Table table{"bellows under vacuum: mesh study",
                              "The last state before two parts of the wall touch.",
