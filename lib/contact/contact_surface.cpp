@@ -25,7 +25,7 @@ constexpr double beyond_nodes = 0.2;
 /// Parts of a line with a rule each. A point that slides over a corner of the other side makes the equilibrium unstable unless its
 /// force over its gap is small against the stiffness of the cells.
 constexpr int line_parts = 4;
-/// k over E_0, and h over the size of the facet, or the median size if that is smaller.
+/// k over E_0, and h over the median size of the free facets. Where h jumps from facet to facet, so does the contact pressure.
 constexpr double stiffness_share = 0.1, distance_share = 1e-2;
 
 void add_point(SampleRule& rule, const FacetPoint& xi, double weight) {
@@ -180,7 +180,7 @@ ContactSurface::ContactSurface(const model::Case& model, std::span<const double>
     if (sizes.empty()) return;
     std::ranges::nth_element(sizes, sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2));
     distance_m_ = distance_share * sizes[sizes.size() / 2];
-    for (Entry& entry : entries_) entry.distance_m = std::min(distance_m_, distance_share * entry.size_m);
+    for (Entry& entry : entries_) entry.distance_m = distance_m_;
     add_obstacles(model);
 }
 

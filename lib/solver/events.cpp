@@ -209,9 +209,8 @@ std::optional<Event> locate_first_contact(Corrector& corrector, const PathState&
         (middle->touches ? touching : apart) = std::move(middle);
     }
     const contact::Summary touch = contact_at(corrector, path, touching ? touching->state : to.state);
-    std::optional<PathPoint>& point = apart ? apart : touching;
-    if (!point) return std::nullopt;
-    return Event{Event::Kind::first_contact, std::move(*point), 0, {}, touch.touched, *touch.location};
+    if (!touching) return std::nullopt;
+    return Event{Event::Kind::first_contact, std::move(*touching), 0, {}, touch.touched, *touch.location};
 }
 
 }  // namespace

@@ -26,6 +26,8 @@ namespace {
 /// Factor on min_step under arc-length control. The arc length is that of the whole body: a fold in which only one cell snaps through
 /// turns within a very small fraction of any other step.
 constexpr double arc_of_one_cell = 1e-3;
+/// Of the step in which the actuator touches something for the first time.
+constexpr double step_after_contact = 0.05;
 /// Of a failed step.
 constexpr double cut_of_failed_step = 0.4;
 
@@ -167,6 +169,12 @@ bool PathFollower::pass_events(Events events) {
                               model::contact_text(input_, contact));
         }
         recorder_.append(path_, event.point);
+        if (event.kind == Event::Kind::first_contact) {  // the path bends here: it is not predicted from before
+            path_.last = std::move(event.point);
+            path_.before.reset();
+            path_.step = round_step_size(step_after_contact * path_.step);
+            return true;
+        }
         if (event.kind == Event::Kind::bifurcation) {
             if (take_branch(event)) return true;
         } else if (!events.control_ends.empty()) {
@@ -217,7 +225,7 @@ void PathFollower::recover() {
     const NewtonResult attempt = corrector_.last_result();
     const int failures = ++path_.attempts.failures;
     const double failed = std::exchange(path_.step, path_.step * cut_of_failed_step);
-    report_row(path_.attempts.crossing ? path_.attempts.crossing->text + " and pass through each other: step cut to " +
+    report_row(path_.attempts.crossing ? path_.attempts.crossing->text + ", and walls pass through each other: step cut to " +
                                              short_text(path_.step)
                                        : attempt_text(failed, path_.step, attempt));
     if (is_first_try(system_, path_, path_.step)) path_.first_step = path_.step;
@@ -240,8 +248,9 @@ void PathFollower::recover() {
     const double known = equilibrium_margin * input_.solver.residual_tolerance * linalg::norm(path_.last->state.x);
     if (!too_short || (share >= arc_of_one_cell && std::abs(path_.step) >= known && !is_nearly_inverted(attempt)))
         return;
-    if (path_.attempts.crossing)
-        return finish({path_.attempts.crossing->reason, path_.attempts.crossing->end_at(describe(*path_.last))});
+    if (const auto& crossing = path_.attempts.crossing)
+        return finish({crossing->reason, crossing->text + " at " + describe(*path_.last) +
+                                             ", and the contact is not resolved; use smaller cells there (mesh.size)"});
     listeners_.report("no step converges: use smaller cells (mesh.size)");
     finish(stop_without_step(path_, input_, attempt));
 }
