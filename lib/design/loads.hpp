@@ -1,6 +1,5 @@
 #pragma once
-/// The loads of a design: gas in a cavity; pressure, dead traction or prescribed displacement of a face; displacement of an obstacle;
-/// gravity.
+/// The loads of a design: gas in a cavity; pressure, dead traction or prescribed displacement of a face; gravity.
 /// Private to the module. Tested by design/load_test, design/cavity_test.
 #include <span>
 #include <string>
@@ -18,13 +17,13 @@ namespace soft::design {
 struct LoadEntry {
     std::string path;        ///< "loads.cavity", "loads.cavities.left", "path.stages.vent.loads.cavity"
     std::string location;    ///< of its key
-    std::string name;        ///< resolved name of the cavity or face, of the obstacle, or "gravity"
+    std::string name;        ///< resolved name of the cavity or face, or "gravity"
     std::string value = {};  ///< path of the key with the magnitude: "loads.cavity.pressure"
     const LoadForm* form = nullptr;
 };
 
-/// Adds the keys of all loads and returns the loads in document order, gravity last. Loads with an unknown name are skipped;
-/// collect() rejects them. `defaults` is that of the family; its values are only used as examples in errors, never as default values.
+/// Adds the keys of all loads and returns the loads in document order. Loads with an unknown name are skipped; collect() rejects
+/// them. `defaults` is that of the family; its values are only used as examples in errors, never as default values.
 [[nodiscard]] std::vector<LoadEntry> add_load_keys(Schema& schema, const Node& root, const Node& defaults,
                                                    std::string_view source, Examples& examples);
 
@@ -45,7 +44,8 @@ struct LoadSlot {
 };
 struct Loads {
     std::vector<model::PressureLoad> pressures;
-    std::vector<Design::DeadLoadRequest> dead_loads;
+    std::vector<Design::TractionRequest> tractions;
+    std::vector<Design::BodyForceRequest> body_forces;
     std::vector<Design::MotionRequest> motions;
     std::vector<LoadSlot> slots;  ///< one for each entry
 };

@@ -7,7 +7,6 @@
 #include "design/load_names.hpp"
 #include "design/material_library.hpp"
 #include "design/materials.hpp"
-#include "design/obstacles.hpp"
 #include "design/read_parts.hpp"
 #include "design/solver_keys.hpp"
 
@@ -231,7 +230,6 @@ Checked check_design(Node root, std::string_view source, const FamilyKeys& famil
     append(schema.keys, model_keys(family));
     append(schema.keys, name_keys(family));
     add_support_keys(schema, root);
-    add_obstacle_keys(schema, root, family.obstacles);
     checked.loads = add_load_keys(schema, root, defaults, source, examples);
     checked.stages = add_path_keys(schema, root, checked.loads);
     add_output_keys(schema, root, defaults);
@@ -262,8 +260,6 @@ Design design_of(const Checked& checked, const FamilyKeys& family) {
     check_formulation(design.values);
     check_law_formulation(design.values, design.material);
     for (const auto& [name, material] : design.materials) check_law_formulation(design.values, material);
-    design.contact = contact_of(design.values);
-    design.obstacles = obstacles_of(checked.items, family.obstacles, design.values);
     Loads loads = loads_of(checked.loads, design.values);
     const bool has_formulation = design.values.has("mesh.formulation");
     design.dynamics = dynamics_of(
@@ -274,7 +270,8 @@ Design design_of(const Checked& checked, const FamilyKeys& family) {
     for (const Design::OutputRequest& output : design.outputs) outputs.push_back(output.name);
     design.path = path_of({checked.stages, checked.loads, loads, outputs}, checked.items, design.values);
     design.loads = std::move(loads.pressures);
-    design.dead_loads = std::move(loads.dead_loads);
+    design.tractions = std::move(loads.tractions);
+    design.body_forces = std::move(loads.body_forces);
     design.motions = std::move(loads.motions);
     design.solver = solver_of(design.values);
     design.effective_yaml = write_yaml(tree_of(checked.items));

@@ -149,9 +149,7 @@ double value_of(const FaceShape& shape, const Points& x, Points* gradient) {
         case model::Measure::bend:
         case model::Measure::twist:
         case model::Measure::force:
-        case model::Measure::moment:
-        case model::Measure::contact_area:
-        case model::Measure::contact_pressure: break;
+        case model::Measure::moment: break;
     }
     return std::nan("");
 }

@@ -48,14 +48,10 @@ auto members(Is<model::Bifurcation> auto& bifurcation) {
     auto& [at, modes, mode] = bifurcation;
     return std::tie(at, modes, mode);
 }
-auto members(Is<model::FirstContact> auto& contact) {
-    auto& [at, obstacle, location] = contact;
-    return std::tie(at, obstacle, location);
-}
 /// Without reason and detail, which an unfinished path does not have.
 auto members(Is<model::PathEnd> auto& end) {
-    [[maybe_unused]] auto& [reason, detail, limit_points, bifurcations, contacts, iterations, factorizations] = end;
-    return std::tie(limit_points, bifurcations, contacts, iterations, factorizations);
+    [[maybe_unused]] auto& [reason, detail, limit_points, bifurcations, iterations, factorizations] = end;
+    return std::tie(limit_points, bifurcations, iterations, factorizations);
 }
 auto members(Is<model::StatePoint> auto& point) {
     auto& [unknowns, tangent, pressures, d_pressures, load_factor, d_load_factor, power, outputs, q, work, modes] =
@@ -64,8 +60,8 @@ auto members(Is<model::StatePoint> auto& point) {
                     modes);
 }
 auto members(Is<model::StageStart> auto& start) {
-    auto& [pressures, volumes, masses, dead_loads, motions] = start;
-    return std::tie(pressures, volumes, masses, dead_loads, motions);
+    auto& [pressures, volumes, masses, tractions, body_forces, motions] = start;
+    return std::tie(pressures, volumes, masses, tractions, body_forces, motions);
 }
 auto members(Is<model::Checkpoint> auto& checkpoint) {
     auto& [ranks, rows, stage, stage_row, start, control, controlled, user_failed, on_branch, pending, pivots, before,

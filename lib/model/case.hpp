@@ -1,19 +1,16 @@
 #pragma once
 /// The typed case: mesh-gen writes it to the HDF5 file and solve reads it. Plain data in SI units.
 /// Loads are given for the WHOLE actuator; `model_fraction` is the fraction of it that the mesh represents (1, 1/2, 1/4).
-#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "material/fibers.hpp"
 #include "material/form.hpp"
 #include "mesh/mesh.hpp"
 #include "model/measure.hpp"
-#include "model/obstacle.hpp"
 #include "model/settings.hpp"
 
 namespace soft::model {
@@ -109,37 +106,35 @@ struct PressureLoad {
     bool plug_thrust = true;
 };
 
-/// traction: force per UNDEFORMED area of a face [Pa]   force: the same, where the design states the force on the whole face [N]
-/// gravity: force per mass [m/s^2]; it requires the density of every material
-enum class DeadLoadKind { traction, force, gravity };
-
-/// A load whose nodal forces do not depend on the displacements (fem/nodal_forces.hpp).
-struct DeadLoad {
-    std::string name;  ///< the face on which it acts, or "gravity"
-    DeadLoadKind kind = DeadLoadKind::traction;
-    std::array<double, 3> vector_SI{};  ///< at level 1: traction [Pa] or acceleration [m/s^2]; axisymmetric: x, r
+/// Dead traction: a force per UNDEFORMED area with a fixed direction in space.
+struct TractionLoad {
+    std::string face;
+    std::array<double, 3> traction_Pa{};  ///< at level 1; axisymmetric: x, r, unused
     TimeFunction time_function = {};
-    double area_m2 = 0;  ///< force: area of the whole undeformed face
+    double area_m2 = 0;  ///< area of the whole undeformed face if the design states a force; else 0
 };
 
-/// A prescribed displacement of a face or of an obstacle. Components without a value are free; those of an obstacle are fixed.
+/// A body force per mass with a fixed direction in space. It requires the density of every material.
+struct BodyForce {
+    std::string name = "gravity";
+    std::array<double, 3> acceleration_m_s2{};  ///< at level 1; axisymmetric: x only
+    TimeFunction time_function = {};
+};
+
+/// A prescribed displacement of a face; components without a value are free.
 struct Motion {
-    std::string face;                                     ///< or the name of an obstacle
+    std::string face;
     std::array<std::optional<double>, 3> displacement_m;  ///< at level 1; axisymmetric: x, r, unused
 };
 
-/// Output::obstacle of the contact of the actuator with itself.
-inline constexpr std::string_view self_contact = "self";
-
 struct Output {
     std::string name;                   ///< "elongation"; CSV column elongation_mm, bend_deg, block_N ...
-    std::string face;                   ///< empty if a point or an obstacle is measured
-    std::array<double, 3> direction{};  ///< unit vector; zero for a measure without a direction
+    std::string face;                   ///< empty if a point is measured
+    std::array<double, 3> direction{};  ///< unit vector
     Measure measure = Measure::displacement;
     std::string reference = {};  ///< the supported reference face of measure bend; else empty
     /// Undeformed position of the measured point; x, r, 0 in a section.
     std::optional<std::array<double, 3>> point_m = {};
-    std::string obstacle = {};  ///< name of an obstacle, or self_contact; else empty
 };
 
 /// Controlled quantity of the path following. automatic: the load factor while the actuator is stiff, then the volume if one
@@ -171,24 +166,23 @@ struct Stage {
     Control control = Control::automatic;
     std::string controlled = {};    ///< load (volume control) or output (displacement control); empty: the first
     std::vector<Until> until = {};  ///< in addition to load factor 1, which always ends the stage
-    std::vector<SupplyTarget> supplies = {};            ///< one per entry of Case::loads
-    std::vector<double> dead_loads = {}, motions = {};  ///< levels, one per entry of the lists in Case
+    std::vector<SupplyTarget> supplies = {};                             ///< one per entry of Case::loads
+    std::vector<double> tractions = {}, body_forces = {}, motions = {};  ///< levels, one per entry of the lists in Case
 };
 
 /// Behaviour at a bifurcation and at contact.
 enum class Branch { stay, follow };
-enum class Contact { solve, stop, ignore };
+enum class Contact { stop, ignore };
 
 inline constexpr int max_frequencies = 50;
 
 struct PathSettings {
     std::vector<Stage> stages;
-    Branch branch = Branch::stay;  ///< follow: switch to the other branch at the first bifurcation of the path
-    double imperfection_m = 1e-4;  ///< perturbation used to switch branches: maximum displacement of the scaled mode
-    /// Behaviour where walls of the actuator touch each other. Obstacles are always respected.
-    Contact contact = Contact::stop;
-    double stretch_limit = 10;  ///< stretch_p99 beyond which a load that cannot be reached is abandoned
-    int frequencies = 0;        ///< number of natural frequencies of each row of a static path, at most max_frequencies
+    Branch branch = Branch::stay;     ///< follow: switch to the other branch at the first bifurcation of the path
+    double imperfection_m = 1e-4;     ///< perturbation used to switch branches: maximum displacement of the scaled mode
+    Contact contact = Contact::stop;  ///< behaviour where walls of the actuator touch
+    double stretch_limit = 10;        ///< stretch_p99 beyond which a load that cannot be reached is abandoned
+    int frequencies = 0;  ///< number of natural frequencies of each row of a static path, at most max_frequencies
 };
 
 struct Case {
@@ -202,20 +196,14 @@ struct Case {
     std::vector<Support> supports;    ///< symmetry planes included
     std::vector<Cavity> cavities;
     std::vector<PressureLoad> loads;
-    std::vector<DeadLoad> dead_loads;
+    std::vector<TractionLoad> tractions;
+    std::vector<BodyForce> body_forces;
     std::vector<Motion> motions;
-    std::vector<Obstacle> obstacles;
-    ContactSettings contact;
     std::vector<Output> outputs;
     PathSettings path;
     SolverSettings solver;
     std::optional<Dynamics> dynamics;  ///< nullopt: a static path
 };
-
-/// Whether a motion is that of an obstacle, not of a face.
-[[nodiscard]] inline bool moves_obstacle(const Case& input, const Motion& motion) {
-    return std::ranges::any_of(input.obstacles, [&](const Obstacle& obstacle) { return obstacle.name == motion.face; });
-}
 
 /// The cavities whose volume is measured: the targets of all loads, in the order of the loads and their targets.
 [[nodiscard]] inline std::vector<const Cavity*> measured_cavities(const Case& input) {
@@ -227,22 +215,13 @@ struct Case {
     return found;
 }
 
-/// Index of the first traction or force among the dead loads; nullopt without one.
-[[nodiscard]] inline std::optional<std::size_t> first_traction(const Case& input) {
-    for (std::size_t i = 0; i < input.dead_loads.size(); ++i)
-        if (input.dead_loads[i].kind == DeadLoadKind::traction || input.dead_loads[i].kind == DeadLoadKind::force)
-            return i;
-    return std::nullopt;
-}
-
 /// The load that a curve shows: the pressure of the first pressure load; without one, the magnitude of the first traction [Pa], or
 /// of its force [N] if the design states a force; without either, the load factor.
 enum class LeadingLoad { pressure, traction, force, load_factor };
 [[nodiscard]] inline LeadingLoad leading_load(const Case& input) {
     if (!input.loads.empty()) return LeadingLoad::pressure;
-    const auto first = first_traction(input);
-    if (!first) return LeadingLoad::load_factor;
-    return input.dead_loads[*first].kind == DeadLoadKind::force ? LeadingLoad::force : LeadingLoad::traction;
+    if (input.tractions.empty()) return LeadingLoad::load_factor;
+    return input.tractions[0].area_m2 > 0 ? LeadingLoad::force : LeadingLoad::traction;
 }
 
 }  // namespace soft::model

@@ -20,7 +20,6 @@ std::vector<Column> all_columns() {
     model::Step step;
     for (const model::MeasureInfo& info : model::measures) {
         model.outputs.push_back({std::string{"<"}.append(info.name).append(">"), "<face>", {}, info.measure});
-        if (info.object == model::MeasuredObject::obstacle) model.outputs.back().obstacle = "<obstacle>";
         step.outputs.push_back(0);
         step.output_errors.push_back(0);
     }
@@ -41,9 +40,9 @@ std::vector<Column> all_columns() {
     step.pressures_Pa.clear();
     step.volumes_m3.clear();
     add_columns(model, step);
-    model.dead_loads = {{"<face>", model::DeadLoadKind::traction}};
+    model.tractions.resize(1);
     add_columns(model, step);
-    model.dead_loads[0].kind = model::DeadLoadKind::force;
+    model.tractions[0].area_m2 = 1;
     model.kinematics = model::Kinematics::axisymmetric;
     step.motion = model::Step::Motion{};
     step.energies.reset();

@@ -36,8 +36,10 @@ fem::LoadLevels shared_levels(const model::Case& input, Share&& share) {
     fem::LoadLevels levels = fem::no_loads(input);
     for (std::size_t i = 0; i < input.loads.size(); ++i)
         levels.pressures_Pa[i] = stage.supplies[i].value * share(input.loads[i].time_function);
-    for (std::size_t i = 0; i < input.dead_loads.size(); ++i)
-        levels.dead_loads[i] = stage.dead_loads.at(i) * share(input.dead_loads[i].time_function);
+    for (std::size_t i = 0; i < input.tractions.size(); ++i)
+        levels.tractions[i] = stage.tractions.at(i) * share(input.tractions[i].time_function);
+    for (std::size_t i = 0; i < input.body_forces.size(); ++i)
+        levels.body_forces[i] = stage.body_forces.at(i) * share(input.body_forces[i].time_function);
     return levels;
 }
 
@@ -247,9 +249,9 @@ void MotionEquations::add_damping(Vec out, double factor, Vec v) const {
 }
 
 void MotionEquations::add_matrices(Mat K, double by_velocity, double by_acceleration) const {
-    linalg::add(K, by_acceleration + by_velocity * dynamics_.mass_damping_1_s, M_);
+    SOFT_PETSC(MatAXPY(K, by_acceleration + by_velocity * dynamics_.mass_damping_1_s, M_, SAME_NONZERO_PATTERN));
     if (K0_.get() != nullptr)
-        linalg::add(K, by_velocity * dynamics_.stiffness_damping_s, K0_);
+        SOFT_PETSC(MatAXPY(K, by_velocity * dynamics_.stiffness_damping_s, K0_, SAME_NONZERO_PATTERN));
 }
 
 double kinetic_energy(const MotionEquations& equations, Vec v) {

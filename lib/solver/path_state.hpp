@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "solver/goals.hpp"
-#include "solver/path.hpp"
 #include "solver/visited_states.hpp"
 
 namespace soft::solver {
@@ -20,7 +19,6 @@ struct Stop {
 struct Attempts {
     int failures = 0;                                            ///< in a row
     std::optional<double> rejected_error, rejected_curve_error;  ///< of the predictor, in the last attempt
-    std::optional<ContactEvent> crossing;  ///< walls that passed through each other in the last attempt
 };
 
 struct PathState {

@@ -16,35 +16,6 @@ void expect_equal(const Material& left, const Material& right) {
     EXPECT_EQ(left.source, right.source);
 }
 
-void expect_equal(const FacetedSurface& left, const FacetedSurface& right) {
-    EXPECT_EQ(left.points, right.points);
-    EXPECT_EQ(left.facets, right.facets);
-}
-
-void expect_equal(const Plane& left, const Plane& right) {
-    EXPECT_EQ(left.point, right.point);
-    EXPECT_EQ(left.normal, right.normal);
-}
-
-void expect_equal(const Cylinder& left, const Cylinder& right) {
-    EXPECT_EQ(left.point, right.point);
-    EXPECT_EQ(left.axis, right.axis);
-    EXPECT_EQ(left.radius_m, right.radius_m);
-    EXPECT_EQ(left.side, right.side);
-}
-
-void expect_equal(const Sphere& left, const Sphere& right) {
-    EXPECT_EQ(left.center, right.center);
-    EXPECT_EQ(left.radius_m, right.radius_m);
-    EXPECT_EQ(left.side, right.side);
-}
-
-void expect_equal(const Obstacle& left, const Obstacle& right) {
-    EXPECT_EQ(left.name, right.name);
-    ASSERT_EQ(left.shape.index(), right.shape.index());
-    std::visit([&]<class Shape>(const Shape& shape) { expect_equal(shape, std::get<Shape>(right.shape)); }, left.shape);
-}
-
 void expect_equal(const Support& left, const Support& right) {
     EXPECT_EQ(left.face, right.face);
     EXPECT_EQ(left.fixed, right.fixed);
@@ -117,7 +88,8 @@ void expect_equal(const Stage& left, const Stage& right) {
         EXPECT_EQ(a.what, b.what);
         EXPECT_EQ(a.value, b.value);
     });
-    EXPECT_EQ(left.dead_loads, right.dead_loads);
+    EXPECT_EQ(left.tractions, right.tractions);
+    EXPECT_EQ(left.body_forces, right.body_forces);
     EXPECT_EQ(left.motions, right.motions);
 }
 
@@ -143,11 +115,6 @@ void expect_equal(const Shape& left, const Shape& right) {
     expect_all(left.supports, right.supports, [](const auto& a, const auto& b) { expect_equal(a, b); });
     expect_all(left.cavities, right.cavities, [](const auto& a, const auto& b) { expect_equal(a, b); });
     EXPECT_EQ(left.region_materials, right.region_materials);
-    ASSERT_EQ(left.obstacles.size(), right.obstacles.size());
-    for (const auto& [name, surface] : left.obstacles) {
-        ASSERT_TRUE(right.obstacles.contains(name)) << name;
-        expect_equal(surface, right.obstacles.at(name));
-    }
     ASSERT_EQ(left.region_fibers.size(), right.region_fibers.size());
     for (const auto& [region, winding] : left.region_fibers) {
         ASSERT_TRUE(right.region_fibers.contains(region)) << region;
@@ -180,11 +147,15 @@ void expect_equal(const Case& left, const Case& right) {
         ASSERT_EQ(a.line.has_value(), b.line.has_value());
         EXPECT_EQ(a.line.value_or(SupplyLine{}).resistance_Pa_s_m3, b.line.value_or(SupplyLine{}).resistance_Pa_s_m3);
     });
-    expect_all(left.dead_loads, right.dead_loads, [](const auto& a, const auto& b) {
-        EXPECT_EQ(a.name, b.name);
-        EXPECT_EQ(a.kind, b.kind);
-        EXPECT_EQ(a.vector_SI, b.vector_SI);
+    expect_all(left.tractions, right.tractions, [](const auto& a, const auto& b) {
+        EXPECT_EQ(a.face, b.face);
+        EXPECT_EQ(a.traction_Pa, b.traction_Pa);
         EXPECT_EQ(a.area_m2, b.area_m2);
+        expect_equal(a.time_function, b.time_function);
+    });
+    expect_all(left.body_forces, right.body_forces, [](const auto& a, const auto& b) {
+        EXPECT_EQ(a.name, b.name);
+        EXPECT_EQ(a.acceleration_m_s2, b.acceleration_m_s2);
         expect_equal(a.time_function, b.time_function);
     });
     expect_all(left.motions, right.motions, [](const auto& a, const auto& b) {
@@ -198,10 +169,7 @@ void expect_equal(const Case& left, const Case& right) {
         EXPECT_EQ(a.measure, b.measure);
         EXPECT_EQ(a.reference, b.reference);
         EXPECT_EQ(a.point_m, b.point_m);
-        EXPECT_EQ(a.obstacle, b.obstacle);
     });
-    expect_all(left.obstacles, right.obstacles, [](const auto& a, const auto& b) { expect_equal(a, b); });
-    EXPECT_EQ(left.contact.self, right.contact.self);
     expect_all(left.path.stages, right.path.stages, [](const auto& a, const auto& b) { expect_equal(a, b); });
     EXPECT_EQ(left.path.branch, right.path.branch);
     EXPECT_EQ(left.path.imperfection_m, right.path.imperfection_m);
