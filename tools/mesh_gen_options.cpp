@@ -12,19 +12,18 @@
 namespace soft::cli {
 namespace {
 
-const About about{
-    .tool = "mesh-gen",
-    .summary = "generates a case (HDF5: mesh and complete design) from a parametric design (YAML)",
-    .examples = {{"mesh-gen designs/bellows.yaml | solve | postprocess > curve.csv",
-                  "Complete pipeline from design to curve"},
-                 {"mesh-gen --template tube | mesh-gen - --set geometry.cap=6mm -o tube.h5",
-                  "Takes a template, changes it and meshes it"}},
-    .libraries = [] {
-        return std::vector<Library>{{"gmsh", built_with::gmsh},
-                                    {"CGAL", built_with::cgal},
-                                    {"HDF5", built_with::hdf5},
-                                    {"yaml-cpp", built_with::yaml_cpp}};
-    }};
+const About about{.tool = "mesh-gen",
+                  .summary = "generates a case (HDF5: mesh and complete design) from a parametric design (YAML)",
+                  .examples = {{"mesh-gen designs/bellows.yaml | solve | postprocess > curve.csv",
+                                "Complete pipeline from design to curve"},
+                               {"mesh-gen --template tube | mesh-gen - --set geometry.cap=6mm -o tube.h5",
+                                "Takes a template, changes it and meshes it"}},
+                  .libraries = [] {
+                      return std::vector<Library>{{"gmsh", built_with::gmsh},
+                                                  {"CGAL", built_with::cgal},
+                                                  {"HDF5", built_with::hdf5},
+                                                  {"yaml-cpp", built_with::yaml_cpp}};
+                  }};
 
 std::vector<std::string> family_names() {
     std::vector<std::string> names;
