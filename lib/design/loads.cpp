@@ -140,17 +140,14 @@ LoadSlot add_load(const LoadEntry& entry, double value, Loads& loads, const Valu
             loads.pressures.push_back(pressure_load(entry, values));
             return {entry.form, loads.pressures.size() - 1, value};
         case LoadKind::shared_gas: break;
-        case LoadKind::traction:
-            check_direction(values, entry.path + ".along");
-            loads.tractions.push_back(
-                {entry.name, value, values.text(entry.path + ".along"), time_function_of(values, entry.path),
-                 entry.form->word() == "force" ? Design::Spread::whole_face : Design::Spread::per_area});
-            return {entry.form, loads.tractions.size() - 1, value};
-        case LoadKind::gravity:
-            require_density(values, entry.value);
-            loads.body_forces.push_back(
-                {entry.name, value, values.text(entry.path + ".along"), time_function_of(values, entry.path)});
-            return {entry.form, loads.body_forces.size() - 1, value};
+        case LoadKind::dead_load:
+            if (entry.form->target == LoadTarget::gravity)
+                require_density(values, entry.value);
+            else
+                check_direction(values, entry.path + ".along");
+            loads.dead_loads.push_back({entry.name, entry.form->dead_load, value, values.text(entry.path + ".along"),
+                                        time_function_of(values, entry.path)});
+            return {entry.form, loads.dead_loads.size() - 1, value};
         case LoadKind::motion:
             check_direction(values, entry.path + ".along");
             loads.motions.push_back({entry.name, value, values.text(entry.path + ".along")});
@@ -179,8 +176,11 @@ std::vector<LoadEntry> add_load_keys(Schema& schema, const Node& root, const Nod
         if (schema.dynamic && entry.form->takes_time_function)
             add_time_function_keys(schema, load.path, load.member->value, examples);
         examples.try_emplace(entry.value, entry.form->example);
-        examples.try_emplace(entry.path + ".along", entry.form->kind == LoadKind::gravity ? "-x" : "y");
+        examples.try_emplace(entry.path + ".along", entry.form->target == LoadTarget::gravity ? "-x" : "y");
     }
+    // The order of the dead loads is that in which their forces are summed.
+    std::ranges::stable_partition(entries,
+                                  [](const LoadEntry& entry) { return entry.form->target != LoadTarget::gravity; });
     return entries;
 }
 
