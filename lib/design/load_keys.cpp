@@ -159,6 +159,15 @@ std::vector<std::string> words_of(LoadTarget target) {
     return words;
 }
 
+std::string form_list(LoadTarget target) {
+    std::vector<std::string> keys;
+    for (const LoadForm& form : load_forms())
+        if (form.target == target) keys.push_back("{" + form.word() + (form.along.path.empty() ? "}" : ", along}"));
+    const std::string last = keys.back();
+    keys.pop_back();
+    return keys.empty() ? last : core::join(keys) + " or " + last;
+}
+
 const LoadForm& form_of(LoadTarget target, std::string_view word) {
     return *std::ranges::find_if(load_forms(), [&](const LoadForm& form) {
         return form.target == target && (word.empty() || form.word() == word);

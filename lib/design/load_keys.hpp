@@ -42,6 +42,8 @@ struct LoadForm {
 [[nodiscard]] std::span<const LoadForm> load_forms();
 /// The words of a target: "pressure", "traction", ...
 [[nodiscard]] std::vector<std::string> words_of(LoadTarget target);
+/// The usual keys of a target's loads: "{pressure}, {traction, along} or {displacement, along}".
+[[nodiscard]] std::string form_list(LoadTarget target);
 /// The form with this word; the usual one for an empty word.
 [[nodiscard]] const LoadForm& form_of(LoadTarget target, std::string_view word);
 
