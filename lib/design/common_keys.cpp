@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/text.hpp"
+#include "design/load_keys.hpp"
 #include "design/setting.hpp"
 
 namespace soft::design {
@@ -160,9 +161,10 @@ const std::vector<SectionNote>& section_notes() {
         {"names", "other names of faces"},
         {"supports", "component: face or [face, face]; fixed: all components; x, y, z or r: that component"},
         {"loads",
-         "cavity (or cavities: name): {pressure | volume | volume_ratio | mass | valve: closed}, sealed, gas; a face: {pressure}, "
-         "{traction, along}, {force, along} or {displacement, along}; gravity: {acceleration, along}; with dynamics also "
-         "time_function: {kind: ramp, rise | step | sine, frequency | table, times, shares}, and of a cavity line: {resistance}"},
+         "cavity (or cavities: name): {pressure | volume | volume_ratio | mass | valve: closed}, sealed, gas; a face: " +
+             form_list(LoadTarget::face) + "; gravity: " + form_list(LoadTarget::gravity) +
+             "; with dynamics also "
+             "time_function: {kind: ramp, rise | step | sine, frequency | table, times, shares}, and of a cavity line: {resistance}"},
         {"path",
          "from the unloaded state to the full load, or through stages: {name: {loads, control, controlled, until}, ...}"},
         {"outputs", "name: {face or point, measure, along}; becomes a column of the curve"},

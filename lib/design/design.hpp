@@ -87,24 +87,15 @@ struct Design {
         materials;                         ///< materials of other regions, by their names below `materials`
     std::vector<model::Support> supports;  ///< by face name (aliases resolved); symmetry planes not included
     std::vector<model::PressureLoad> loads;
-    /// Dead traction [Pa] on a face, or dead force [N] on the whole face of the whole actuator; along: axis | x | y | z | r | normal
-    enum class Spread { per_area, whole_face };
-    struct TractionRequest {
-        std::string face;
-        double size;
-        std::string along;
-        model::TimeFunction time_function = {};
-        Spread spread = Spread::per_area;
-    };
-    std::vector<TractionRequest> tractions;
-    /// along: axis | x | y | z, optionally with a leading minus
-    struct BodyForceRequest {
-        std::string name;
-        double acceleration_m_s2;
+    /// along: axis | x | y | z | r | normal; of gravity axis | x | y | z, optionally with a leading minus
+    struct DeadLoadRequest {
+        std::string name;  ///< the face, or "gravity"
+        model::DeadLoadKind kind;
+        double size_SI;  ///< traction [Pa], force on the whole face of the whole actuator [N] or acceleration [m/s^2]
         std::string along;
         model::TimeFunction time_function = {};
     };
-    std::vector<BodyForceRequest> body_forces;
+    std::vector<DeadLoadRequest> dead_loads;
     /// Prescribed displacement component of a face; along: axis | x | y | z | r | normal
     struct MotionRequest {
         std::string face;

@@ -236,11 +236,11 @@ std::string key_list(std::span<const FamilyKeys> families) {
                         rows_of(material_section_keys()));
     text += key_section("mesh", "A family may have further keys of `mesh`, or other values of these.", common);
     text += key_section("supports", "", rows_of(support_section_keys()));
-    text += key_section(
-        "loads",
-        "A cavity has one of the first five keys or `shares`; a face has `pressure`, `traction`, `force` or "
-        "`displacement`. `time_function` and `line` need `dynamics.duration`.",
-        rows_of(load_section_keys()));
+    text += key_section("loads",
+                        "A cavity has one of the first five keys or `shares`; a face has one of `" +
+                            core::join(words_of(LoadTarget::face), "`, `") +
+                            "`. `time_function` and `line` need `dynamics.duration`.",
+                        rows_of(load_section_keys()));
     text += key_section("path", "", rows_of(path_section_keys()));
     text += key_section("outputs", "An output has a `face` or a `point`.", rows_of(output_section_keys()));
     text +=

@@ -1,11 +1,12 @@
 #include "design/load_keys.hpp"
 
+#include "core/text.hpp"
 #include "design/common_keys.hpp"
 
 namespace soft::design {
 namespace {
 
-using model::Gas, model::PressureLoad, model::Prescription;
+using model::DeadLoadKind, model::Gas, model::PressureLoad, model::Prescription;
 
 constexpr double adiabatic_exponent = 1.4;  // ratio of the specific heats of air
 constexpr const char *acts_on = "acts_on", *line_resistance = "line.resistance";
@@ -64,20 +65,20 @@ std::vector<LoadForm> other_forms() {
              .magnitude = cavity_forms().front().magnitude,
              .example = "30 kPa"},
             {.target = LoadTarget::face,
-             .kind = traction,
+             .kind = dead_load,
              .magnitude = value_key("traction", Kind::pressure, {},
                                     "force per undeformed area @; its direction stays fixed in space"),
              .example = "30 kPa",
              .along = traction_along,
-             .levels = &model::Stage::tractions},
+             .dead_load = DeadLoadKind::traction},
             {.target = LoadTarget::face,
-             .kind = traction,
+             .kind = dead_load,
              .magnitude = value_key("force", Kind::force, {},
                                     "dead force on the whole face of the whole actuator @, spread evenly over the "
                                     "undeformed face; its direction stays fixed in space"),
              .example = "2 N",
              .along = traction_along,
-             .levels = &model::Stage::tractions},
+             .dead_load = DeadLoadKind::force},
             {.target = LoadTarget::face,
              .kind = motion,
              .magnitude = value_key("displacement", Kind::length, {},
@@ -85,16 +86,15 @@ std::vector<LoadForm> other_forms() {
              .example = "10 mm",
              .along = direction_key("prescribed displacement component; normal or axis only where parallel to a "
                                     "coordinate direction"),
-             .levels = &model::Stage::motions,
              .takes_time_function = false},
             {.target = LoadTarget::gravity,
-             .kind = gravity,
+             .kind = dead_load,
              .magnitude = value_key("acceleration", Kind::acceleration, {},
                                     "force per mass of the rubber @; needs material.density"),
              .example = "9.81 m/s^2",
              .along = choice_key("along", "", {"x", "y", "z", "axis", "-x", "-y", "-z", "-axis"},
                                  "direction of gravity; axis is the direction in which the actuator gets longer"),
-             .levels = &model::Stage::body_forces}};
+             .dead_load = DeadLoadKind::gravity}};
 }
 
 Settings<Gas> gas_settings() {
@@ -157,6 +157,15 @@ std::vector<std::string> words_of(LoadTarget target) {
     for (const LoadForm& form : load_forms())
         if (form.target == target) words.push_back(form.word());
     return words;
+}
+
+std::string form_list(LoadTarget target) {
+    std::vector<std::string> keys;
+    for (const LoadForm& form : load_forms())
+        if (form.target == target) keys.push_back("{" + form.word() + (form.along.path.empty() ? "}" : ", along}"));
+    const std::string last = keys.back();
+    keys.pop_back();
+    return keys.empty() ? last : core::join(keys) + " or " + last;
 }
 
 const LoadForm& form_of(LoadTarget target, std::string_view word) {

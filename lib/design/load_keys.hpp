@@ -16,8 +16,8 @@ namespace soft::design {
 /// What a load acts on.
 enum class LoadTarget { cavity, face, gravity };
 
-/// The list of the case that a load belongs to.
-enum class LoadKind { gas, shared_gas, face_pressure, traction, gravity, motion };
+/// How a load is converted: the list of the case that it belongs to.
+enum class LoadKind { gas, shared_gas, face_pressure, dead_load, motion };
 
 struct LoadForm {
     LoadTarget target;
@@ -28,15 +28,22 @@ struct LoadForm {
     std::string example;                                       ///< a magnitude: "2 N"
     Key along = {};                                            ///< key of the direction, where the load has one
     model::Prescription what = model::Prescription::pressure;  ///< of a gas
-    std::vector<double> model::Stage::*levels =
-        nullptr;                      ///< its level in a stage; nullptr for a pressure, volume or mass
-    bool takes_time_function = true;  ///< in a dynamic design
+    model::DeadLoadKind dead_load = {};                        ///< of a dead load
+    bool takes_time_function = true;                           ///< in a dynamic design
     [[nodiscard]] const std::string& word() const { return magnitude.path; }
+    /// Its list of levels in a stage; nullptr for a pressure, volume or mass.
+    [[nodiscard]] std::vector<double> model::Stage::*levels() const {
+        return kind == LoadKind::dead_load ? &model::Stage::dead_loads
+               : kind == LoadKind::motion  ? &model::Stage::motions
+                                           : nullptr;
+    }
 };
 /// All forms; the first one of a target is the usual one.
 [[nodiscard]] std::span<const LoadForm> load_forms();
 /// The words of a target: "pressure", "traction", ...
 [[nodiscard]] std::vector<std::string> words_of(LoadTarget target);
+/// The usual keys of a target's loads: "{pressure}, {traction, along} or {displacement, along}".
+[[nodiscard]] std::string form_list(LoadTarget target);
 /// The form with this word; the usual one for an empty word.
 [[nodiscard]] const LoadForm& form_of(LoadTarget target, std::string_view word);
 

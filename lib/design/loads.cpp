@@ -50,7 +50,7 @@ std::string_view only_word(const NamedLoad& load, std::span<const std::string> w
 
 /// Keys that a load cannot have.
 struct ForeignKeys {
-    std::initializer_list<std::string_view> keys;
+    std::vector<std::string> keys;
     std::string_view problem, remedy;
 };
 
@@ -60,11 +60,19 @@ void refuse_keys(const NamedLoad& load, const ForeignKeys& foreign) {
             refuse(member.location, load.path + "." + member.key, foreign.problem, foreign.remedy);
 }
 
+/// The words of a target that this one does not have.
+std::vector<std::string> words_of_other(LoadTarget other, LoadTarget own) {
+    std::vector<std::string> words = words_of(other);
+    const std::vector<std::string> known = words_of(own);
+    std::erase_if(words, [&](const std::string& word) { return std::ranges::find(known, word) != known.end(); });
+    return words;
+}
+
 void refuse_foreign_keys(const NamedLoad& load, const LoadForm& form) {
     constexpr std::string_view normal = "a pressure acts along the normal of the deformed face";
     if (load.target == LoadTarget::cavity) {
-        refuse_keys(load,
-                    {{"traction", "force", "displacement"}, "a cavity is loaded by a pressure", "write pressure"});
+        refuse_keys(load, {words_of_other(LoadTarget::face, load.target), "a cavity is loaded by a pressure",
+                           "write pressure"});
         refuse_keys(load, {{"along"}, normal, "leave it out"});
     }
     if (form.kind == LoadKind::shared_gas)
@@ -72,9 +80,9 @@ void refuse_foreign_keys(const NamedLoad& load, const LoadForm& form) {
                            "a cavity that shares its gas has no supply of its own",
                            "leave it out"});
     if (load.target == LoadTarget::face) {
-        refuse_keys(load, {{"volume", "volume_ratio", "mass", "valve", "shares", "gas", "line"},
-                           "a face encloses no gas",
-                           "write pressure; only a cavity takes this"});
+        std::vector<std::string> of_gas = words_of_other(LoadTarget::cavity, load.target);
+        of_gas.insert(of_gas.end(), {"gas", "line"});
+        refuse_keys(load, {of_gas, "a face encloses no gas", "write pressure; only a cavity takes this"});
         refuse_keys(load, {{"sealed", "plug_thrust"}, "a face has no openings to seal", "leave it out"});
     }
     if (form.kind == LoadKind::face_pressure)
@@ -140,17 +148,14 @@ LoadSlot add_load(const LoadEntry& entry, double value, Loads& loads, const Valu
             loads.pressures.push_back(pressure_load(entry, values));
             return {entry.form, loads.pressures.size() - 1, value};
         case LoadKind::shared_gas: break;
-        case LoadKind::traction:
-            check_direction(values, entry.path + ".along");
-            loads.tractions.push_back(
-                {entry.name, value, values.text(entry.path + ".along"), time_function_of(values, entry.path),
-                 entry.form->word() == "force" ? Design::Spread::whole_face : Design::Spread::per_area});
-            return {entry.form, loads.tractions.size() - 1, value};
-        case LoadKind::gravity:
-            require_density(values, entry.value);
-            loads.body_forces.push_back(
-                {entry.name, value, values.text(entry.path + ".along"), time_function_of(values, entry.path)});
-            return {entry.form, loads.body_forces.size() - 1, value};
+        case LoadKind::dead_load:
+            if (entry.form->target == LoadTarget::gravity)
+                require_density(values, entry.value);
+            else
+                check_direction(values, entry.path + ".along");
+            loads.dead_loads.push_back({entry.name, entry.form->dead_load, value, values.text(entry.path + ".along"),
+                                        time_function_of(values, entry.path)});
+            return {entry.form, loads.dead_loads.size() - 1, value};
         case LoadKind::motion:
             check_direction(values, entry.path + ".along");
             loads.motions.push_back({entry.name, value, values.text(entry.path + ".along")});
@@ -179,8 +184,11 @@ std::vector<LoadEntry> add_load_keys(Schema& schema, const Node& root, const Nod
         if (schema.dynamic && entry.form->takes_time_function)
             add_time_function_keys(schema, load.path, load.member->value, examples);
         examples.try_emplace(entry.value, entry.form->example);
-        examples.try_emplace(entry.path + ".along", entry.form->kind == LoadKind::gravity ? "-x" : "y");
+        examples.try_emplace(entry.path + ".along", entry.form->target == LoadTarget::gravity ? "-x" : "y");
     }
+    // The order of the dead loads is that in which their forces are summed.
+    std::ranges::stable_partition(entries,
+                                  [](const LoadEntry& entry) { return entry.form->target != LoadTarget::gravity; });
     return entries;
 }
 

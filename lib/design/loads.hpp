@@ -22,8 +22,8 @@ struct LoadEntry {
     const LoadForm* form = nullptr;
 };
 
-/// Adds the keys of all loads and returns the loads in document order. Loads with an unknown name are skipped; collect() rejects
-/// them. `defaults` is that of the family; its values are only used as examples in errors, never as default values.
+/// Adds the keys of all loads and returns the loads in document order, gravity last. Loads with an unknown name are skipped;
+/// collect() rejects them. `defaults` is that of the family; its values are only used as examples in errors, never as default values.
 [[nodiscard]] std::vector<LoadEntry> add_load_keys(Schema& schema, const Node& root, const Node& defaults,
                                                    std::string_view source, Examples& examples);
 
@@ -44,8 +44,7 @@ struct LoadSlot {
 };
 struct Loads {
     std::vector<model::PressureLoad> pressures;
-    std::vector<Design::TractionRequest> tractions;
-    std::vector<Design::BodyForceRequest> body_forces;
+    std::vector<Design::DeadLoadRequest> dead_loads;
     std::vector<Design::MotionRequest> motions;
     std::vector<LoadSlot> slots;  ///< one for each entry
 };

@@ -39,8 +39,8 @@ private:
     void set_target(const StageLoad& load, model::Stage& stage) const {
         const LoadSlot& slot = parts_.loads.slots[load.index];
         const double value = load.what == Prescription::closed ? 0 : values_.number(load.value);
-        if (slot.form->levels != nullptr)
-            (stage.*slot.form->levels)[slot.index] = value / slot.value;
+        if (slot.form->levels() != nullptr)
+            (stage.*slot.form->levels())[slot.index] = value / slot.value;
         else
             stage.supplies[slot.index] = {load.what, value};
     }
@@ -135,8 +135,8 @@ private:
 model::Stage unloaded(const Loads& loads) {
     model::Stage stage;
     for (const LoadSlot& slot : loads.slots)
-        if (slot.form->levels != nullptr)
-            (stage.*slot.form->levels).push_back(0);
+        if (slot.form->levels() != nullptr)
+            (stage.*slot.form->levels()).push_back(0);
         else if (slot.form->kind != LoadKind::shared_gas)
             stage.supplies.emplace_back();
     return stage;

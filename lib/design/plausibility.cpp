@@ -119,9 +119,9 @@ void check_loads(const Design& design, double mu_Pa, std::vector<std::string>& w
                               stage.supplies[i].value != before.supplies[i].value;
         before = stage;
     }
-    for (const Design::TractionRequest& load : design.tractions)
-        if (load.spread == Design::Spread::per_area && std::abs(load.size) > pressure_over_modulus * mu_Pa)
-            warnings.push_back("loads." + load.face + ".traction: " + pressure_text(load.size) +
+    for (const Design::DeadLoadRequest& load : design.dead_loads)
+        if (load.kind == model::DeadLoadKind::traction && std::abs(load.size_SI) > pressure_over_modulus * mu_Pa)
+            warnings.push_back("loads." + load.name + ".traction: " + pressure_text(load.size_SI) +
                                " is far above the initial shear modulus " + pressure_text(mu_Pa));
 }
 
@@ -182,15 +182,16 @@ constexpr double min_density_kg_m3 = 100.0, max_density_kg_m3 = 5000.0;
 constexpr double max_mistaken_rad = std::numbers::pi / 2;
 
 void check_gravity(const Design& design, std::vector<std::string>& warnings) {
-    for (const Design::BodyForceRequest& force : design.body_forces) {
-        const std::string path = "loads." + force.name + ".acceleration: ",
-                          size = core::quantity_text(force.acceleration_m_s2, core::Dimension::acceleration);
-        if (std::abs(force.acceleration_m_s2) > max_gravities * standard_gravity_m_s2)
+    for (const Design::DeadLoadRequest& load : design.dead_loads) {
+        if (load.kind != model::DeadLoadKind::gravity) continue;
+        const std::string path = "loads." + load.name + ".acceleration: ",
+                          size = core::quantity_text(load.size_SI, core::Dimension::acceleration);
+        if (std::abs(load.size_SI) > max_gravities * standard_gravity_m_s2)
             warnings.push_back(path + size + " is " +
-                               core::rounded_text(std::abs(force.acceleration_m_s2) / standard_gravity_m_s2, 3) +
+                               core::rounded_text(std::abs(load.size_SI) / standard_gravity_m_s2, 3) +
                                " times gravity; is the unit right (9.81 m/s^2)?");
-        if (force.acceleration_m_s2 < 0)
-            warnings.push_back(path + size + " along " + force.along +
+        if (load.size_SI < 0)
+            warnings.push_back(path + size + " along " + load.along +
                                " points the other way; write 9.81 m/s^2 and the direction of gravity");
     }
 }

@@ -270,8 +270,7 @@ Design design_of(const Checked& checked, const FamilyKeys& family) {
     for (const Design::OutputRequest& output : design.outputs) outputs.push_back(output.name);
     design.path = path_of({checked.stages, checked.loads, loads, outputs}, checked.items, design.values);
     design.loads = std::move(loads.pressures);
-    design.tractions = std::move(loads.tractions);
-    design.body_forces = std::move(loads.body_forces);
+    design.dead_loads = std::move(loads.dead_loads);
     design.motions = std::move(loads.motions);
     design.solver = solver_of(design.values);
     design.effective_yaml = write_yaml(tree_of(checked.items));

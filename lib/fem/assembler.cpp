@@ -160,14 +160,11 @@ void Assembler::add_pressures(std::size_t load, const Targets& to) const {
 }
 
 void Assembler::add_dead_loads(const Targets& to) const {
-    const auto add = [&](std::span<const linalg::Vector> forces, std::vector<double> LoadLevels::*list) {
-        for (std::size_t i = 0; i < forces.size(); ++i) {
-            linalg::add(to.R, -(state_.levels().*list)[i], forces[i]);
-            for (const auto& column : to.columns) linalg::add(column.out, (column.direction.*list)[i], forces[i]);
-        }
-    };
-    add(loads_.tractions, &LoadLevels::tractions);
-    add(loads_.body_forces, &LoadLevels::body_forces);
+    for (std::size_t i = 0; i < loads_.dead_loads.size(); ++i) {
+        const auto& force = loads_.dead_loads[i];
+        linalg::add(to.R, -state_.levels().dead_loads[i], force);
+        for (const auto& column : to.columns) linalg::add(column.out, column.direction.dead_loads[i], force);
+    }
 }
 
 double Assembler::load_power(Vec x, Vec velocity, const LoadLevels& levels, const LoadLevels& rates) {

@@ -1,7 +1,7 @@
 #pragma once
 /// Assembles the equilibrium on the free unknowns x = (displacements, scaled pressures) under given load levels:
 ///   R(x, levels) = internal forces - sum over the loads of level x force(x),    K = dR/dx,
-/// with pressure x force per unit pressure for the pressure loads, dead forces for tractions and body forces, and
+/// with pressure x force per unit pressure for the pressure loads, nodal forces of the dead loads, and
 /// prescribed displacements as values of the nodes of the cells (and facets) that they move. Collective over the communicator.
 /// Tested by fem/system_test, fem/loads_test (Taylor remainders, rank independence) and the verification suite.
 #include <optional>

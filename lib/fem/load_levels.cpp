@@ -6,14 +6,13 @@ namespace soft::fem {
 
 namespace {
 
-constexpr std::array lists{&LoadLevels::pressures_Pa, &LoadLevels::tractions, &LoadLevels::body_forces,
-                           &LoadLevels::motions};
+constexpr std::array lists{&LoadLevels::pressures_Pa, &LoadLevels::dead_loads, &LoadLevels::motions};
 
 }  // namespace
 
 LoadLevels no_loads(const model::Case& input) {
-    return {std::vector(input.loads.size(), 0.0), std::vector(input.tractions.size(), 0.0),
-            std::vector(input.body_forces.size(), 0.0), std::vector(input.motions.size(), 0.0)};
+    return {std::vector(input.loads.size(), 0.0), std::vector(input.dead_loads.size(), 0.0),
+            std::vector(input.motions.size(), 0.0)};
 }
 
 double product(const LoadLevels& a, const LoadLevels& b) {

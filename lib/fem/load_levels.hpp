@@ -8,8 +8,8 @@
 namespace soft::fem {
 
 struct LoadLevels {
-    std::vector<double> pressures_Pa;                     ///< gauge
-    std::vector<double> tractions, body_forces, motions;  ///< 1: as the case states them
+    std::vector<double> pressures_Pa;         ///< gauge
+    std::vector<double> dead_loads, motions;  ///< 1: as the case states them
 };
 
 [[nodiscard]] LoadLevels no_loads(const model::Case& input);

@@ -27,11 +27,8 @@ PressureSurface make_pressure_surface(const Discretization& fe, const model::Pre
 
 Loads::Loads(const Discretization& fe) {
     for (const auto& load : fe.input.loads) pressures.push_back(make_pressure_surface(fe, load));
-    for (const auto& traction : fe.input.tractions)
-        tractions.push_back(
-            fe.make_vector(on_unknowns(face_force(fe.input, traction.face, traction.traction_Pa), fe.dofs)));
-    for (const auto& force : fe.input.body_forces)
-        body_forces.push_back(fe.make_vector(on_unknowns(body_force(fe, force.acceleration_m_s2), fe.dofs)));
+    for (const auto& load : fe.input.dead_loads)
+        dead_loads.push_back(fe.make_vector(on_unknowns(dead_force(fe, load), fe.dofs)));
 }
 
 void pressure_force(const Discretization& fe, const PressureSurface& surface, const SurfaceCell& facet,

@@ -22,8 +22,8 @@ struct PressureSurface {
 struct Loads {
     explicit Loads(const Discretization& fe);
 
-    std::vector<PressureSurface> pressures;              ///< by Case::loads
-    std::vector<linalg::Vector> tractions, body_forces;  ///< at level 1
+    std::vector<PressureSurface> pressures;  ///< by Case::loads
+    std::vector<linalg::Vector> dead_loads;  ///< at level 1, by Case::dead_loads
 };
 
 /// Force per unit pressure on a facet at positions x, and its derivative by x where `stiffness` is not empty; both are overwritten.

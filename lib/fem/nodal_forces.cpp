@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <stdexcept>
 
 #include "core/error.hpp"
 #include "fem/solid_kernel.hpp"
@@ -36,6 +37,34 @@ NodalForces spread(const model::FaceWeights& weights, const Vector3& factor) {
     return spread(weights.nodes, weights.weights_m2, factor);
 }
 
+NodalForces body_force(const Discretization& fe, const Vector3& acceleration_m_s2) {
+    const mesh::Mesh& mesh = fe.input.mesh;
+    const auto density = densities_kg_m3(fe.input);
+    std::map<Index, double> mass;  // ascending, so that sums run in the same order on every rank
+    std::vector<PointState> points;
+    for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+        const auto& reference = reference_of(fe.references, mesh.cell_type(cell));
+        const auto nodes = mesh.cell_nodes(cell);
+        const auto X = mesh::by_component(mesh.points, nodes, mesh.dimension);
+        const std::vector<double> rest(reference.dofs(), 0.0);
+        points.clear();
+        CellPoints work(reference);
+        sample_cell(reference, fe.input.kinematics, material::FiberFrame::cartesian,
+                    {X, {rest.data(), X.size()}, {rest.data() + X.size(), rest.size() - X.size()}, 1.0}, work, points);
+        for (std::size_t q = 0; q < points.size(); ++q)
+            for (int a = 0; a < reference.nodes; ++a)
+                mass[nodes[a]] +=
+                    density[mesh.cell_regions[cell]] * points[q].weight_m3 * reference.N[q * reference.nodes + a];
+    }
+    std::vector<Index> nodes;
+    std::vector<double> masses_kg;
+    for (const auto& [node, share] : mass) {
+        nodes.push_back(node);
+        masses_kg.push_back(share);
+    }
+    return spread(std::move(nodes), masses_kg, acceleration_m_s2);
+}
+
 }  // namespace
 
 SparseVector mean_displacement(const model::Case& input, const DofMap& map, const std::string& face,
@@ -63,10 +92,6 @@ SparseVector on_unknowns(const NodalForces& forces, const DofMap& map) {
     return vector;
 }
 
-NodalForces face_force(const model::Case& input, const std::string& face, const Vector3& traction_Pa) {
-    return spread(weights_of(input, face), traction_Pa);
-}
-
 NodalForces plug_force(const model::Case& input, const model::PressureLoad& load) {
     NodalForces plugs;
     if (!load.sealed || !load.plug_thrust) return plugs;
@@ -86,32 +111,13 @@ NodalForces plug_force(const model::Case& input, const model::PressureLoad& load
     return plugs;
 }
 
-NodalForces body_force(const Discretization& fe, const Vector3& acceleration_m_s2) {
-    const mesh::Mesh& mesh = fe.input.mesh;
-    const auto density = densities_kg_m3(fe.input);
-    std::map<Index, double> mass;  // ascending, so that sums run in the same order on every rank
-    std::vector<PointState> points;
-    for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
-        const auto& reference = reference_of(fe.references, mesh.cell_type(cell));
-        const auto nodes = mesh.cell_nodes(cell);
-        const auto X = mesh::by_component(mesh.points, nodes, mesh.dimension);
-        const std::vector<double> rest(reference.dofs(), 0.0);
-        points.clear();
-        CellPoints work(reference);
-        sample_cell(reference, fe.input.kinematics, material::FiberFrame::cartesian,
-                    {X, {rest.data(), X.size()}, {rest.data() + X.size(), rest.size() - X.size()}, 1.0}, work, points);
-        for (std::size_t q = 0; q < points.size(); ++q)
-            for (int a = 0; a < reference.nodes; ++a)
-                mass[nodes[a]] +=
-                    density[mesh.cell_regions[cell]] * points[q].weight_m3 * reference.N[q * reference.nodes + a];
+NodalForces dead_force(const Discretization& fe, const model::DeadLoad& load) {
+    switch (load.kind) {
+        case model::DeadLoadKind::traction:
+        case model::DeadLoadKind::force: return spread(weights_of(fe.input, load.name), load.vector_SI);
+        case model::DeadLoadKind::gravity: return body_force(fe, load.vector_SI);
     }
-    std::vector<Index> nodes;
-    std::vector<double> masses_kg;
-    for (const auto& [node, share] : mass) {
-        nodes.push_back(node);
-        masses_kg.push_back(share);
-    }
-    return spread(std::move(nodes), masses_kg, acceleration_m_s2);
+    throw std::logic_error("dead_force: unknown kind");
 }
 
 }  // namespace soft::fem

@@ -28,11 +28,10 @@ struct NodalForces {
 /// The forces at components that are not fixed.
 [[nodiscard]] SparseVector on_unknowns(const NodalForces& forces, const DofMap& map);
 
-/// Nodal forces of a dead traction [Pa] on a face: the sum of forces times displacements is its work [J].
-[[nodiscard]] NodalForces face_force(const model::Case& input, const std::string& face, const Vector3& traction_Pa);
-
-/// int N_a density acceleration dV. Throws Error (bad_input) for a material without density.
-[[nodiscard]] NodalForces body_force(const Discretization& fe, const Vector3& acceleration_m_s2);
+/// Nodal forces of a dead load at level 1: the sum of forces times displacements is its work [J].
+///   traction, force: int N_a traction dA over the undeformed face     gravity: int N_a density acceleration dV
+/// Throws Error (bad_input) for gravity and a material without density.
+[[nodiscard]] NodalForces dead_force(const Discretization& fe, const model::DeadLoad& load);
 
 /// Thrust per unit pressure on the plugs of a load's openings (fem/loads.hpp); none if it is not sealed or a fixture
 /// carries them (PressureLoad::plug_thrust).

@@ -127,7 +127,7 @@ double Outputs::reaction(const Reaction& output, Vec gradient, LoadLevels* by_le
     slopes.finish();
     if (gradient != nullptr) SOFT_PETSC(VecScale(gradient, output.copies));
     if (by_levels == nullptr) return value;
-    for (auto* list : {&by_levels->pressures_Pa, &by_levels->tractions, &by_levels->body_forces, &by_levels->motions}) {
+    for (auto* list : {&by_levels->pressures_Pa, &by_levels->dead_loads, &by_levels->motions}) {
         for (double& slope : *list) slope *= output.copies;
         if (!list->empty() && list != &by_levels->motions)  // those have been summed
             MPI_Allreduce(MPI_IN_PLACE, list->data(), static_cast<int>(list->size()), MPI_DOUBLE, MPI_SUM, fe_.comm);

@@ -176,8 +176,7 @@ double dead_reactions(const Reaction& reaction, const LoadedState& at, Slopes& s
         }
     };
     add(reaction.plugs, &LoadLevels::pressures_Pa);
-    add(reaction.tractions, &LoadLevels::tractions);
-    add(reaction.body_forces, &LoadLevels::body_forces);
+    add(reaction.dead_loads, &LoadLevels::dead_loads);
     return value;
 }
 
@@ -202,11 +201,8 @@ void find_contributions(Reaction& reaction, const Discretization& fe, const Load
     const int dimension = fe.dofs.dimension;
     for (const auto& load : input.loads)
         reaction.plugs.push_back(at_nodes_of(reaction, plug_force(input, load), dimension));
-    for (const auto& traction : input.tractions)
-        reaction.tractions.push_back(
-            at_nodes_of(reaction, face_force(input, traction.face, traction.traction_Pa), dimension));
-    for (const auto& force : input.body_forces)
-        reaction.body_forces.push_back(at_nodes_of(reaction, body_force(fe, force.acceleration_m_s2), dimension));
+    for (const auto& load : input.dead_loads)
+        reaction.dead_loads.push_back(at_nodes_of(reaction, dead_force(fe, load), dimension));
 }
 
 }  // namespace

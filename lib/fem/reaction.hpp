@@ -25,7 +25,7 @@ struct Reaction {
     std::vector<std::vector<std::size_t>> facets;  ///< [pressure load] the same
     /// On rank 0: the nodes with their positions, and the dead forces at them per unit level, component by component.
     SurfaceCell at_nodes;
-    std::vector<std::vector<double>> plugs, tractions, body_forces;
+    std::vector<std::vector<double>> plugs, dead_loads;
 };
 
 [[nodiscard]] Reaction make_reaction(const Discretization& fe, const Loads& loads, const model::Output& output);

@@ -41,19 +41,18 @@ void check_size(const design::Design& design, const model::Case& built, Warnings
                            " long; soft actuators measure 2 mm to 3 m, check the units");
 }
 
-/// Checks dead tractions and gravity; add_loads rejects forces and motions across a plane.
+/// Checks dead loads; add_loads rejects forces, gravity and motions across a plane.
 void check_symmetry(const model::Case& built, Warnings& warnings) {
     static constexpr std::array planes{"x = 0", "y = 0", "z = 0"};
-    const auto check = [&](const std::string& load, const std::array<double, 3>& vector) {
+    for (const model::DeadLoad& load : built.dead_loads) {
+        const auto& vector = load.vector_SI;
         const double size = std::hypot(vector[0], vector[1], vector[2]);
         for (std::size_t d = 0; d < 3; ++d)
             if (built.symmetry_planes[d] && std::abs(vector[d]) > across * size)
-                warnings.push_back("loads." + load + ": acts across the symmetry plane " + planes[d] +
+                warnings.push_back("loads." + load.name + ": acts across the symmetry plane " + planes[d] +
                                    ", so the mirror image is loaded in the opposite direction; use the whole body "
                                    "(model: solid)");
-    };
-    for (const model::TractionLoad& load : built.tractions) check(load.face, load.traction_Pa);
-    for (const model::BodyForce& force : built.body_forces) check(force.name, force.acceleration_m_s2);
+    }
 }
 
 /// Whether all nodes of a face belong to faces that supports fix in a direction.
@@ -86,7 +85,7 @@ void check_outputs(const model::Case& built, Warnings& warnings) {
 }
 
 void check_outside(const model::Case& built, Warnings& warnings) {
-    if (built.cavities.size() != 1 || built.loads.size() != 1 || !built.tractions.empty() || !built.motions.empty())
+    if (built.cavities.size() != 1 || built.loads.size() != 1 || model::first_traction(built) || !built.motions.empty())
         return;
     const std::string& target = built.loads.front().targets.front();
     if (target == built.cavities.front().name || target == built.cavities.front().wall) return;

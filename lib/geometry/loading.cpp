@@ -87,25 +87,19 @@ void add_pressures(model::Case& result, const design::Design& design, const Mesh
         }
 }
 
-void add_body_forces(model::Case& result, const design::Design& design, const Meshed& meshed) {
-    for (const auto& request : design.body_forces) {
-        const std::string path = "loads." + request.name + ".along";
-        const bool against = request.along.starts_with('-');
-        Vector3 acceleration = direction_of({path, "", request.along.substr(against ? 1 : 0)}, meshed);
-        for (double& component : acceleration)
-            component *= against ? -request.acceleration_m_s2 : request.acceleration_m_s2;
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (acceleration[i] == 0) continue;
-            if (meshed.shape.symmetry_planes[i])
-                throw design.values.refuse(path,
-                                           std::string{"the symmetry plane "} + component_name(meshed, i) +
-                                               " = 0 of the model would mirror the weight",
-                                           "use a model without this plane, or another direction");
-            if (std::ranges::find(meshed.shape.supports, middle_faces[i], &model::Support::face) !=
-                meshed.shape.supports.end())
-                throw design.values.refuse(path, "no support carries the weight of the body", "remove gravity");
-        }
-        result.body_forces.push_back({request.name, acceleration, request.time_function});
+/// Throws for a direction in which a symmetry plane would mirror the weight or nothing carries it.
+void check_weight(const std::string& path, const Vector3& direction, const Meshed& meshed,
+                  const design::Values& values) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (direction[i] == 0) continue;
+        if (meshed.shape.symmetry_planes[i])
+            throw values.refuse(path,
+                                std::string{"the symmetry plane "} + component_name(meshed, i) +
+                                    " = 0 of the model would mirror the weight",
+                                "use a model without this plane, or another direction");
+        if (std::ranges::find(meshed.shape.supports, middle_faces[i], &model::Support::face) !=
+            meshed.shape.supports.end())
+            throw values.refuse(path, "no support carries the weight of the body", "remove gravity");
     }
 }
 
@@ -121,6 +115,27 @@ double whole_area_m2(const Meshed& meshed, const DirectionRequest& request, cons
         throw values.refuse(request.key, "a symmetry plane of the model would mirror the force",
                             "use a model without this plane, or another direction");
     return symmetry.copies * model::face_weights(meshed.mesh, meshed.shape.kinematics, request.face).area_m2;
+}
+
+void add_dead_loads(model::Case& result, const design::Design& design, const Meshed& meshed) {
+    for (const auto& request : design.dead_loads) {
+        const std::string location = "loads." + request.name;
+        const bool against = request.along.starts_with('-');
+        const DirectionRequest along{location + ".along", request.name, request.along.substr(against ? 1 : 0)};
+        if (request.kind != model::DeadLoadKind::gravity) require_face(meshed, request.name, location);
+        model::DeadLoad load{request.name, request.kind, direction_of(along, meshed), request.time_function};
+        double size_SI = against ? -request.size_SI : request.size_SI;
+        switch (request.kind) {
+            case model::DeadLoadKind::traction: break;
+            case model::DeadLoadKind::force:
+                load.area_m2 = whole_area_m2(meshed, along, load.vector_SI, design.values);
+                size_SI /= load.area_m2;
+                break;
+            case model::DeadLoadKind::gravity: check_weight(along.key, load.vector_SI, meshed, design.values); break;
+        }
+        for (double& component : load.vector_SI) component *= size_SI;
+        result.dead_loads.push_back(std::move(load));
+    }
 }
 
 /// The coordinate axis parallel to `direction`, or 3 if there is none.
@@ -251,18 +266,7 @@ void require_face(const Meshed& meshed, const std::string& face, const std::stri
 
 void add_loads(model::Case& result, const design::Design& design, const Meshed& meshed) {
     add_pressures(result, design, meshed);
-    for (const auto& request : design.tractions) {
-        const std::string location = "loads." + request.face;
-        require_face(meshed, request.face, location);
-        Vector3 traction = direction_of({location + ".along", request.face, request.along}, meshed);
-        const double area_m2 =
-            request.spread == design::Design::Spread::per_area
-                ? 0
-                : whole_area_m2(meshed, {location + ".along", request.face, request.along}, traction, design.values);
-        for (double& component : traction) component *= area_m2 > 0 ? request.size / area_m2 : request.size;
-        result.tractions.push_back({request.face, traction, request.time_function, area_m2});
-    }
-    add_body_forces(result, design, meshed);
+    add_dead_loads(result, design, meshed);
     add_motions(result, design, meshed);
     check_constraints(result, design, meshed);
 }

@@ -60,8 +60,8 @@ auto members(Is<model::StatePoint> auto& point) {
                     modes);
 }
 auto members(Is<model::StageStart> auto& start) {
-    auto& [pressures, volumes, masses, tractions, body_forces, motions] = start;
-    return std::tie(pressures, volumes, masses, tractions, body_forces, motions);
+    auto& [pressures, volumes, masses, dead_loads, motions] = start;
+    return std::tie(pressures, volumes, masses, dead_loads, motions);
 }
 auto members(Is<model::Checkpoint> auto& checkpoint) {
     auto& [ranks, rows, stage, stage_row, start, control, controlled, user_failed, on_branch, pending, pivots, before,

@@ -106,19 +106,17 @@ struct PressureLoad {
     bool plug_thrust = true;
 };
 
-/// Dead traction: a force per UNDEFORMED area with a fixed direction in space.
-struct TractionLoad {
-    std::string face;
-    std::array<double, 3> traction_Pa{};  ///< at level 1; axisymmetric: x, r, unused
-    TimeFunction time_function = {};
-    double area_m2 = 0;  ///< area of the whole undeformed face if the design states a force; else 0
-};
+/// traction: force per UNDEFORMED area of a face [Pa]   force: the same, where the design states the force on the whole face [N]
+/// gravity: force per mass [m/s^2]; it requires the density of every material
+enum class DeadLoadKind { traction, force, gravity };
 
-/// A body force per mass with a fixed direction in space. It requires the density of every material.
-struct BodyForce {
-    std::string name = "gravity";
-    std::array<double, 3> acceleration_m_s2{};  ///< at level 1; axisymmetric: x only
+/// A load whose nodal forces do not depend on the displacements (fem/nodal_forces.hpp).
+struct DeadLoad {
+    std::string name;  ///< the face on which it acts, or "gravity"
+    DeadLoadKind kind = DeadLoadKind::traction;
+    std::array<double, 3> vector_SI{};  ///< at level 1: traction [Pa] or acceleration [m/s^2]; axisymmetric: x, r
     TimeFunction time_function = {};
+    double area_m2 = 0;  ///< force: area of the whole undeformed face
 };
 
 /// A prescribed displacement of a face; components without a value are free.
@@ -166,8 +164,8 @@ struct Stage {
     Control control = Control::automatic;
     std::string controlled = {};    ///< load (volume control) or output (displacement control); empty: the first
     std::vector<Until> until = {};  ///< in addition to load factor 1, which always ends the stage
-    std::vector<SupplyTarget> supplies = {};                             ///< one per entry of Case::loads
-    std::vector<double> tractions = {}, body_forces = {}, motions = {};  ///< levels, one per entry of the lists in Case
+    std::vector<SupplyTarget> supplies = {};            ///< one per entry of Case::loads
+    std::vector<double> dead_loads = {}, motions = {};  ///< levels, one per entry of the lists in Case
 };
 
 /// Behaviour at a bifurcation and at contact.
@@ -196,8 +194,7 @@ struct Case {
     std::vector<Support> supports;    ///< symmetry planes included
     std::vector<Cavity> cavities;
     std::vector<PressureLoad> loads;
-    std::vector<TractionLoad> tractions;
-    std::vector<BodyForce> body_forces;
+    std::vector<DeadLoad> dead_loads;
     std::vector<Motion> motions;
     std::vector<Output> outputs;
     PathSettings path;
@@ -215,13 +212,22 @@ struct Case {
     return found;
 }
 
+/// Index of the first traction or force among the dead loads; nullopt without one.
+[[nodiscard]] inline std::optional<std::size_t> first_traction(const Case& input) {
+    for (std::size_t i = 0; i < input.dead_loads.size(); ++i)
+        if (input.dead_loads[i].kind == DeadLoadKind::traction || input.dead_loads[i].kind == DeadLoadKind::force)
+            return i;
+    return std::nullopt;
+}
+
 /// The load that a curve shows: the pressure of the first pressure load; without one, the magnitude of the first traction [Pa], or
 /// of its force [N] if the design states a force; without either, the load factor.
 enum class LeadingLoad { pressure, traction, force, load_factor };
 [[nodiscard]] inline LeadingLoad leading_load(const Case& input) {
     if (!input.loads.empty()) return LeadingLoad::pressure;
-    if (input.tractions.empty()) return LeadingLoad::load_factor;
-    return input.tractions[0].area_m2 > 0 ? LeadingLoad::force : LeadingLoad::traction;
+    const auto first = first_traction(input);
+    if (!first) return LeadingLoad::load_factor;
+    return input.dead_loads[*first].kind == DeadLoadKind::force ? LeadingLoad::force : LeadingLoad::traction;
 }
 
 }  // namespace soft::model

@@ -27,7 +27,7 @@ struct StatePoint {
 /// The loads at the start of a stage, one entry per load.
 struct StageStart {
     std::vector<double> pressures_Pa, volumes_m3, masses_kg;
-    std::vector<double> tractions, body_forces, motions;  ///< levels
+    std::vector<double> dead_loads, motions;  ///< levels
 };
 
 struct Checkpoint {

@@ -40,9 +40,9 @@ std::vector<Column> all_columns() {
     step.pressures_Pa.clear();
     step.volumes_m3.clear();
     add_columns(model, step);
-    model.tractions.resize(1);
+    model.dead_loads = {{"<face>", model::DeadLoadKind::traction}};
     add_columns(model, step);
-    model.tractions[0].area_m2 = 1;
+    model.dead_loads[0].kind = model::DeadLoadKind::force;
     model.kinematics = model::Kinematics::axisymmetric;
     step.motion = model::Step::Motion{};
     step.energies.reset();

@@ -38,8 +38,7 @@ void check_fit(const model::Checkpoint& from, const Corrector& corrector) {
     const auto loads = input.loads.size();
     const bool fits = from.stage >= 0 && static_cast<std::size_t>(from.stage) < input.path.stages.size() &&
                       from.start.pressures_Pa.size() == loads && from.start.volumes_m3.size() == loads &&
-                      from.start.masses_kg.size() == loads && from.start.tractions.size() == input.tractions.size() &&
-                      from.start.body_forces.size() == input.body_forces.size() &&
+                      from.start.masses_kg.size() == loads && from.start.dead_loads.size() == input.dead_loads.size() &&
                       from.start.motions.size() == input.motions.size() && from.control >= 0 &&
                       from.control <= static_cast<int>(ConstraintKind::arc);
     if (!fits) refuse_checkpoint("its loads or stages differ from those of the case");

@@ -73,7 +73,7 @@ Constraint softer_control(const fem::System& system, const StageLoads& loads) {
             ++growing;
             load = i;
         }
-    for (const auto* list : {&rate.tractions, &rate.body_forces, &rate.motions})
+    for (const auto* list : {&rate.dead_loads, &rate.motions})
         for (const double r : *list) others += r != 0.0 ? 1 : 0;
     if (growing != 1 || others > 0 || !system.volumes().has_volume(*load)) return {ConstraintKind::arc};
     return {ConstraintKind::volume, *load};

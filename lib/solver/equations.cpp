@@ -36,10 +36,8 @@ fem::LoadLevels shared_levels(const model::Case& input, Share&& share) {
     fem::LoadLevels levels = fem::no_loads(input);
     for (std::size_t i = 0; i < input.loads.size(); ++i)
         levels.pressures_Pa[i] = stage.supplies[i].value * share(input.loads[i].time_function);
-    for (std::size_t i = 0; i < input.tractions.size(); ++i)
-        levels.tractions[i] = stage.tractions.at(i) * share(input.tractions[i].time_function);
-    for (std::size_t i = 0; i < input.body_forces.size(); ++i)
-        levels.body_forces[i] = stage.body_forces.at(i) * share(input.body_forces[i].time_function);
+    for (std::size_t i = 0; i < input.dead_loads.size(); ++i)
+        levels.dead_loads[i] = stage.dead_loads.at(i) * share(input.dead_loads[i].time_function);
     return levels;
 }
 

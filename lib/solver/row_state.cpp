@@ -8,18 +8,20 @@ namespace soft::solver {
 
 namespace {
 
-double traction_size_Pa(const model::Case& input) {
-    const auto& t = input.tractions[0].traction_Pa;
-    return std::hypot(t[0], t[1], t[2]);
+/// The first traction from levels, or its slope from their slopes.
+double first_traction_Pa(const model::Case& input, const LoadLevels& levels) {
+    const std::size_t first = model::first_traction(input).value();
+    const auto& t = input.dead_loads[first].vector_SI;
+    return levels.dead_loads[first] * std::hypot(t[0], t[1], t[2]);
 }
 
 /// The leading load from levels, or its slope from their slopes.
 double leading_of(const model::Case& input, const LoadLevels& levels, double load_factor) {
     switch (model::leading_load(input)) {
         case model::LeadingLoad::pressure: return levels.pressures_Pa[0];
-        case model::LeadingLoad::traction: return levels.tractions[0] * traction_size_Pa(input);
+        case model::LeadingLoad::traction: return first_traction_Pa(input, levels);
         case model::LeadingLoad::force:
-            return levels.tractions[0] * traction_size_Pa(input) * input.tractions[0].area_m2;
+            return first_traction_Pa(input, levels) * input.dead_loads[*model::first_traction(input)].area_m2;
         case model::LeadingLoad::load_factor: return load_factor;
     }
     throw std::logic_error("leading_of: unknown load");
@@ -33,8 +35,7 @@ double leading_of(const model::Case& input, const StageLoads& loads, const State
 
 StageStart stage_start_at(const model::Case& input, const StageLoads& loads, const PathPoint& point) {
     const LoadLevels levels = loads.levels(point.state.load_factor, point.state.pressures_Pa);
-    StageStart start{levels.pressures_Pa, point.load_volumes_m3, {},
-                     levels.tractions,    levels.body_forces,    levels.motions};
+    StageStart start{levels.pressures_Pa, point.load_volumes_m3, {}, levels.dead_loads, levels.motions};
     for (std::size_t i = 0; i < input.loads.size(); ++i)
         start.masses_kg.push_back(gas_mass_kg(input.loads[i].gas, start.volumes_m3[i], start.pressures_Pa[i]));
     return start;

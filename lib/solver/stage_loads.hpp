@@ -1,7 +1,7 @@
 #pragma once
 /// The loads of one stage as functions of its load factor lambda in [0, 1], and the equations of its free supplies: the
 /// pressure loads whose pressure p is an unknown because their volume, mass or amount of gas is prescribed.
-///   level(lambda) = start + lambda (end - start) for every pressure, traction, body force and motion
+///   level(lambda) = start + lambda (end - start) for every pressure, dead load and motion
 ///   volume:        V - V(lambda) = 0                                     divided by the larger of the two volumes of the stage
 ///   mass, closed:  p - P(V, m(lambda)) = 0,  P = a [(m / (rho (V + D)))^n - 1]      divided by a
 /// a ambient pressure, rho ambient density, D dead volume, n exponent of the gas (model::Gas); a closed supply has a constant

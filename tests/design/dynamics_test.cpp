@@ -106,12 +106,12 @@ TEST(TimeFunctions, ApplyToTractionsAndGravity) {
         read("family: bar\nmaterial: {law: neo-hookean, mu: 1 MPa, density: 1000 kg/m^3}\n" + moving +
              "loads: {end: {traction: 1 kPa, along: x, time_function: {kind: step}}, "
              "gravity: {acceleration: 9.81 m/s^2, along: -z, time_function: {kind: sine, frequency: 2 Hz}}}\n");
-    EXPECT_EQ(design.tractions.at(0).time_function.kind, TimeFunctionKind::step);
-    EXPECT_EQ(design.body_forces.at(0).time_function.frequency_Hz, 2.0);
+    EXPECT_EQ(design.dead_loads.at(0).time_function.kind, TimeFunctionKind::step);
+    EXPECT_EQ(design.dead_loads.at(1).time_function.frequency_Hz, 2.0);
     const Design part = read_built(design.effective_yaml, {{"loads.end.time_function", "{rise: 10 ms}"}});
-    EXPECT_EQ(part.tractions.at(0).time_function.kind, TimeFunctionKind::ramp);
-    EXPECT_EQ(part.tractions.at(0).time_function.time_s, 0.01);
-    EXPECT_EQ(part.body_forces.at(0).time_function.kind, TimeFunctionKind::sine);
+    EXPECT_EQ(part.dead_loads.at(0).time_function.kind, TimeFunctionKind::ramp);
+    EXPECT_EQ(part.dead_loads.at(0).time_function.time_s, 0.01);
+    EXPECT_EQ(part.dead_loads.at(1).time_function.kind, TimeFunctionKind::sine);
 }
 
 void expect_refused(const std::string& text, std::string_view location, std::string_view remedy) {

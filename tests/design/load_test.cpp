@@ -49,19 +49,19 @@ const std::string pulled = "loads: {end: {traction: 62.5 kPa, along: y}}\n";
 TEST(Traction, CanBeTheOnlyLoad) {
     const Design design = read_sheet(pulled);
     EXPECT_TRUE(design.loads.empty());
-    ASSERT_EQ(design.tractions.size(), 1u);
-    EXPECT_EQ(design.tractions[0].face, "end");
-    EXPECT_EQ(design.tractions[0].size, 62500.0);
-    EXPECT_EQ(design.tractions[0].along, "y");
-    EXPECT_EQ(design.path.stages.at(0).tractions, std::vector{1.0});  // full traction at the end
+    ASSERT_EQ(design.dead_loads.size(), 1u);
+    EXPECT_EQ(design.dead_loads[0].name, "end");
+    EXPECT_EQ(design.dead_loads[0].size_SI, 62500.0);
+    EXPECT_EQ(design.dead_loads[0].along, "y");
+    EXPECT_EQ(design.path.stages.at(0).dead_loads, std::vector{1.0});  // full traction at the end
     EXPECT_TRUE(design.warnings.empty());
 }
 
 TEST(Traction, CanBeCombinedWithPressuresOnOtherFaces) {
     const Design design = read_sheet("loads: {tip: {traction: -3 kPa, along: normal}, top: {pressure: 2 kPa}}\n");
-    ASSERT_EQ(design.tractions.size(), 1u);
-    EXPECT_EQ(design.tractions[0].face, "end");  // tip is an alias of end
-    EXPECT_EQ(design.tractions[0].size, -3000.0);
+    ASSERT_EQ(design.dead_loads.size(), 1u);
+    EXPECT_EQ(design.dead_loads[0].name, "end");  // tip is an alias of end
+    EXPECT_EQ(design.dead_loads[0].size_SI, -3000.0);
     ASSERT_EQ(design.loads.size(), 1u);
     EXPECT_EQ(design.loads[0].targets, std::vector<std::string>{"top"});
     expect_refusal("loads: {tip: {traction: 3 kPa, along: x}, end: {pressure: 2 kPa}}\n",
@@ -103,9 +103,9 @@ TEST(Traction, FarAboveTheModulusTriggersAWarning) {
 TEST(Traction, IsInTheTemplateOfAFamilyWithADefaultTraction) {
     const std::string text = template_yaml(sheet());
     const Design design = read_design(text, "t", sheets(), {});
-    ASSERT_EQ(design.tractions.size(), 1u) << text;
-    EXPECT_EQ(design.tractions[0].size, 20000.0);
-    EXPECT_EQ(design.tractions[0].along, "y");
+    ASSERT_EQ(design.dead_loads.size(), 1u) << text;
+    EXPECT_EQ(design.dead_loads[0].size_SI, 20000.0);
+    EXPECT_EQ(design.dead_loads[0].along, "y");
     EXPECT_TRUE(contains(text, "force per undeformed area")) << text;
 }
 
@@ -153,10 +153,10 @@ protected:
 TEST_F(ApplyToTractions, ChangesTheTractionsOfTheCase) {
     const std::vector<Override> changes = {{"loads.end.traction", "-25 kPa"}, {"loads.end.along", "x"}};
     const Design part = read_built(effective_, changes, sheets());
-    ASSERT_EQ(part.tractions.size(), 2u);
-    EXPECT_EQ(part.tractions[0].size, -25e3);
-    EXPECT_EQ(part.tractions[0].along, "x");
-    EXPECT_EQ(part.tractions[1].size, 1e3);
+    ASSERT_EQ(part.dead_loads.size(), 2u);
+    EXPECT_EQ(part.dead_loads[0].size_SI, -25e3);
+    EXPECT_EQ(part.dead_loads[0].along, "x");
+    EXPECT_EQ(part.dead_loads[1].size_SI, 1e3);
     EXPECT_EQ(part.loads.size(), 1u);
     EXPECT_EQ(part.effective_yaml, read_design(effective_, "e", sheets(), changes).effective_yaml);
 }
@@ -164,8 +164,8 @@ TEST_F(ApplyToTractions, ChangesTheTractionsOfTheCase) {
 TEST_F(ApplyToTractions, ReplacesATractionByAPressureAndAPressureByATraction) {
     const Design part = read_built(
         effective_, {{"loads.end", "{pressure: 3 kPa}"}, {"loads.top", "{traction: 3 kPa, along: x}"}}, sheets());
-    ASSERT_EQ(part.tractions.size(), 2u);
-    EXPECT_EQ(part.tractions[0].face, "top");
+    ASSERT_EQ(part.dead_loads.size(), 2u);
+    EXPECT_EQ(part.dead_loads[0].name, "top");
     ASSERT_EQ(part.loads.size(), 1u);
     EXPECT_EQ(part.loads[0].name, "end");
 }
@@ -188,10 +188,10 @@ TEST(Motion, PrescribesADisplacementComponentOfAFace) {
 TEST(Gravity, RequiresADensityAndADirection) {
     const std::string weight = "loads: {gravity: {acceleration: 9.81 m/s^2, along: -y}}\n";
     const Design design = read_sheet(weight, {{"material.density", "1080 kg/m^3"}});
-    ASSERT_EQ(design.body_forces.size(), 1u);
-    EXPECT_EQ(design.body_forces[0].name, "gravity");
-    EXPECT_EQ(design.body_forces[0].acceleration_m_s2, 9.81);
-    EXPECT_EQ(design.body_forces[0].along, "-y");
+    ASSERT_EQ(design.dead_loads.size(), 1u);
+    EXPECT_EQ(design.dead_loads[0].name, "gravity");
+    EXPECT_EQ(design.dead_loads[0].size_SI, 9.81);
+    EXPECT_EQ(design.dead_loads[0].along, "-y");
     EXPECT_EQ(design.material.density_kg_m3, 1080.0);
     expect_refusal(weight, "p.yaml:3:33: loads.gravity.acceleration: the rubber has no density",
                    "material: {density: 1080 kg/m^3}");
@@ -209,12 +209,10 @@ TEST(Stages, OfTractionsGravityAndMotionsAreFractionsOfTheFullLoad) {
         {{"material.density", "1 g/cm^3"}});
     const auto& stages = design.path.stages;
     ASSERT_EQ(stages.size(), 2u);
-    EXPECT_EQ(stages[0].tractions, std::vector{0.4});
+    EXPECT_EQ(stages[0].dead_loads, (std::vector{0.4, 0.5}));
     EXPECT_EQ(stages[0].motions, std::vector{0.0});
-    EXPECT_EQ(stages[0].body_forces, std::vector{0.5});
-    EXPECT_EQ(stages[1].tractions, std::vector{0.0});
+    EXPECT_EQ(stages[1].dead_loads, (std::vector{0.0, 0.5}));
     EXPECT_EQ(stages[1].motions, std::vector{-0.25});
-    EXPECT_EQ(stages[1].body_forces, std::vector{0.5});
 }
 
 TEST(Overrides, FindALoadUnderEveryAliasOfItsFace) {
@@ -355,17 +353,17 @@ constexpr const char* pushed =
 
 TEST(Forces, AreReadWithTheirUnit) {
     const Design design = read(pushed);
-    ASSERT_EQ(design.tractions.size(), 1u);
-    EXPECT_EQ(design.tractions[0].size, 0.15);
-    EXPECT_EQ(design.tractions[0].spread, Design::Spread::whole_face);
-    EXPECT_EQ(read(design.effective_yaml).tractions.at(0).size, 0.15);
+    ASSERT_EQ(design.dead_loads.size(), 1u);
+    EXPECT_EQ(design.dead_loads[0].size_SI, 0.15);
+    EXPECT_EQ(design.dead_loads[0].kind, model::DeadLoadKind::force);
+    EXPECT_EQ(read(design.effective_yaml).dead_loads.at(0).size_SI, 0.15);
 }
 
 TEST(Forces, CanBeChangedAndReplacedBySolve) {
     const std::string effective = read(pushed).effective_yaml;
-    EXPECT_EQ(read_built(effective, {{"loads.inlet.force", "0.3 N"}}).tractions.at(0).size, 0.3);
+    EXPECT_EQ(read_built(effective, {{"loads.inlet.force", "0.3 N"}}).dead_loads.at(0).size_SI, 0.3);
     const Design spread = read_built(effective, {{"loads.inlet", "{traction: 1 kPa, along: x}"}});
-    EXPECT_EQ(spread.tractions.at(0).spread, Design::Spread::per_area);
+    EXPECT_EQ(spread.dead_loads.at(0).kind, model::DeadLoadKind::traction);
 }
 
 }  // namespace

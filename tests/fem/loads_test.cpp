@@ -23,7 +23,7 @@ model::Case moved_box() {
     return input;
 }
 
-LoadLevels levels_of(double pressure_Pa, double motion) { return {{pressure_Pa}, {}, {}, {motion}}; }
+LoadLevels levels_of(double pressure_Pa, double motion) { return {{pressure_Pa}, {}, {motion}}; }
 
 TEST(Motion, ColumnIsTheDerivativeOfTheResidualByTheLevel) {
     const auto input = moved_box();
@@ -89,11 +89,11 @@ TEST(BodyForce, SumsToTheWeight) {
     for (auto input : {box_case(2, true), sphere_case(3, 16)}) {
         input.materials[0].density_kg_m3 = 1080.0;
         input.loads.clear();
-        input.body_forces = {{"gravity", {9.81, 0, 0}}};
+        input.dead_loads = {{"gravity", model::DeadLoadKind::gravity, {9.81, 0, 0}}};
         input.supports.clear();  // every node counts
         System system(input, PETSC_COMM_WORLD);
         auto R = system.make_vector();
-        system.evaluate(system.make_vector(), {{}, {}, {1.0}, {}}, R, nullptr);
+        system.evaluate(system.make_vector(), {{}, {1.0}, {}}, R, nullptr);
         double sum = 0;
         const PetscScalar* values = nullptr;
         SOFT_PETSC(VecGetArrayRead(R, &values));
@@ -105,7 +105,7 @@ TEST(BodyForce, SumsToTheWeight) {
         EXPECT_NEAR(sum / (1080.0 * 9.81 * volume), 1.0, dimension == 3 ? 1e-12 : 1e-6);
     }
     auto without = box_case(1, true);
-    without.body_forces = {{"gravity", {9.81, 0, 0}}};
+    without.dead_loads = {{"gravity", model::DeadLoadKind::gravity, {9.81, 0, 0}}};
     EXPECT_THROW(System(without, PETSC_COMM_WORLD), Error);
 }
 

@@ -22,8 +22,8 @@ model::Case loaded_block() {
     input.supports = {{"fixed", {true, true, true}}};
     input.materials[0].density_kg_m3 = 1080;
     input.loads = {{.name = "top", .targets = {"top"}, .gas = {}}};
-    input.tractions = {{"right", {1e4, 2e4, 5e3}}};
-    input.body_forces = {{"gravity", {3, -9, -300}}};
+    input.dead_loads = {{"right", model::DeadLoadKind::traction, {1e4, 2e4, 5e3}},
+                        {"gravity", model::DeadLoadKind::gravity, {3, -9, -300}}};
     input.motions = {{"end", {2e-3, std::nullopt, std::nullopt}}};
     input.outputs = {{"push", "fixed", {0.6, 0, 0.8}, Measure::force},
                      {"turn", "fixed", {0, 1, 0}, Measure::moment},
@@ -32,7 +32,7 @@ model::Case loaded_block() {
     return input;
 }
 
-const LoadLevels levels{{3e4}, {0.7}, {0.9}, {0.5}}, direction{{2e4}, {1.3}, {-0.4}, {0.8}};
+const LoadLevels levels{{3e4}, {0.7, 0.9}, {0.5}}, direction{{2e4}, {1.3, -0.4}, {0.8}};
 
 TEST(Reaction, DerivativesByStateAndLoadsAreExact) {
     const auto input = loaded_block();
@@ -142,7 +142,7 @@ TEST(Reaction, ExcludesThatOfNeighbouringFaces) {
                          {"bottom_x", "bottom", {1, 0, 0}, Measure::force}};
         System system(input, PETSC_COMM_WORLD);
         const auto x = wavy(system, 4e-5, 0.3);
-        system.prescribe({{3e4}, {}, {}, {}});
+        system.prescribe({{3e4}, {}, {}});
         EXPECT_EQ(system.outputs().value(0, x, nullptr), 0.0);
         EXPECT_GT(std::abs(system.outputs().value(1, x, nullptr)), 1e-3);  // that of the bottom itself
         EXPECT_EQ(system.outputs().value(2, x, nullptr), 0.0);

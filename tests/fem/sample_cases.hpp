@@ -36,8 +36,7 @@ void name_boundary(mesh::Mesh& mesh, Name&& name_of) {
 inline model::Stage full_load(const model::Case& input, const std::vector<double>& pressures_Pa) {
     model::Stage stage;
     for (const double pressure : pressures_Pa) stage.supplies.push_back({model::Prescription::pressure, pressure});
-    stage.tractions.assign(input.tractions.size(), 1.0);
-    stage.body_forces.assign(input.body_forces.size(), 1.0);
+    stage.dead_loads.assign(input.dead_loads.size(), 1.0);
     stage.motions.assign(input.motions.size(), 1.0);
     return stage;
 }

@@ -23,10 +23,7 @@ model::Case open_box() {
 
 /// Every load at this fraction of its full load.
 LoadLevels levels_at(const model::Case& input, double share) {
-    LoadLevels full{{},
-                    std::vector(input.tractions.size(), 1.0),
-                    std::vector(input.body_forces.size(), 1.0),
-                    std::vector(input.motions.size(), 1.0)};
+    LoadLevels full{{}, std::vector(input.dead_loads.size(), 1.0), std::vector(input.motions.size(), 1.0)};
     for (std::size_t i = 0; i < input.loads.size(); ++i)
         full.pressures_Pa.push_back((i == 0 ? 0.3 : 0.2) * sample_mu_Pa);
     return moved(no_loads(input), share, full);
@@ -76,7 +73,7 @@ TEST(System, LoadIsTheDerivativeOfTheResidualByTheLoadFactor) {
 TEST(System, ForceOfADeadTractionIsItsAreaAndDoesNotFollowTheBody) {
     auto input = box_case(2, true);
     input.loads.clear();
-    input.tractions = {{"end", {3e3, -2e3, 1e3}}};
+    input.dead_loads = {{"end", model::DeadLoadKind::traction, {3e3, -2e3, 1e3}}};
     System system(input, PETSC_COMM_WORLD);
     auto R = system.make_vector(), load = system.make_vector(), elsewhere = system.make_vector();
     evaluate_at(system, system.make_vector(), 1.0, R, load);

@@ -168,24 +168,26 @@ TEST(BuildCase, RingIsSupportedByItsSymmetryPlanes) {
 }
 
 TEST(BuildCase, TractionsHaveTheRequestedDirection) {
+    using enum model::DeadLoadKind;
     design::Design d = design_of("panel", "plane-strain", {{"geometry.rise", "48 mm"}});
-    d.tractions = {{"end", 62.5e3, "y"}, {"bottom", -1e3, "normal"}, {"top", -2e3, "axis"}};
+    d.dead_loads = {
+        {"end", traction, 62.5e3, "y"}, {"bottom", traction, -1e3, "normal"}, {"top", traction, -2e3, "axis"}};
     const model::Case c = build_case(d);
-    ASSERT_EQ(c.tractions.size(), 3u);
-    EXPECT_EQ(c.tractions[0].face, "end");
-    EXPECT_EQ(c.tractions[0].traction_Pa, (std::array<double, 3>{0, 62.5e3, 0}));
-    EXPECT_NEAR(c.tractions[1].traction_Pa[0], -1e3 * std::sqrt(0.5), 1e-9);
-    EXPECT_NEAR(c.tractions[1].traction_Pa[1], 1e3 * std::sqrt(0.5), 1e-9);
-    EXPECT_EQ(c.tractions[2].traction_Pa[0], -2e3);
-    d.tractions = {{"patch", 1e3, "y"}};
+    ASSERT_EQ(c.dead_loads.size(), 3u);
+    EXPECT_EQ(c.dead_loads[0].name, "end");
+    EXPECT_EQ(c.dead_loads[0].vector_SI, (std::array<double, 3>{0, 62.5e3, 0}));
+    EXPECT_NEAR(c.dead_loads[1].vector_SI[0], -1e3 * std::sqrt(0.5), 1e-9);
+    EXPECT_NEAR(c.dead_loads[1].vector_SI[1], 1e3 * std::sqrt(0.5), 1e-9);
+    EXPECT_EQ(c.dead_loads[2].vector_SI[0], -2e3);
+    d.dead_loads = {{"patch", traction, 1e3, "y"}};
     EXPECT_EQ(refusal(d), "loads.patch: this model has no face 'patch'; available faces: fixed, end, bottom, top");
-    d.tractions = {{"end", 1e3, "z"}};
+    d.dead_loads = {{"end", traction, 1e3, "z"}};
     EXPECT_EQ(refusal(d), "loads.end.along: 'z' is not a direction of this model; use axis, x, y or normal");
     d = design_of("tube", "axisymmetric");
-    d.tractions = {{"outer", 1e3, "r"}};
-    EXPECT_EQ(build_case(d).tractions[0].traction_Pa, (std::array<double, 3>{0, 1e3, 0}));
+    d.dead_loads = {{"outer", traction, 1e3, "r"}};
+    EXPECT_EQ(build_case(d).dead_loads[0].vector_SI, (std::array<double, 3>{0, 1e3, 0}));
     d = design_of("tube", "quarter");
-    d.tractions = {{"outer", 1e3, "normal"}};
+    d.dead_loads = {{"outer", traction, 1e3, "normal"}};
     EXPECT_EQ(refusal(d), "loads.outer.along: face 'outer' is not flat; use axis, x, y or z");
 }
 

@@ -41,7 +41,7 @@ TEST_P(EveryFamily, ExampleDesignBuildsInEveryModel) {
             if (GetParam() == "rod") overrides.push_back({"supports.z", "top"});
             const model::Case c = build_case(read_from(file_text(path), path.string(), overrides));
             EXPECT_GT(mesh::quality(c.mesh).min_scaled_jacobian, 0.1) << model;
-            EXPECT_FALSE(c.loads.empty() && c.tractions.empty());
+            EXPECT_FALSE(c.loads.empty() && c.dead_loads.empty());
             EXPECT_FALSE(c.supports.empty());
         }
     }

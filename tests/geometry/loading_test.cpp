@@ -21,31 +21,31 @@ TEST(Weight, HasTheRequestedDirection) {
     design::Design d = loaded_design("bellows", "axisymmetric");
     for (const auto& [along, x] :
          std::map<std::string, double>{{"x", 9.81}, {"-x", -9.81}, {"axis", -9.81}, {"-axis", 9.81}}) {
-        d.body_forces = {
-            {"gravity", 9.81, along}};  // the axis of the bellows points from the fixed disc to the inlet, along -x
-        EXPECT_EQ(build_case(d).body_forces.at(0).acceleration_m_s2, (std::array<double, 3>{x, 0, 0})) << along;
+        // The axis of the bellows points from the fixed disc to the inlet, along -x.
+        d.dead_loads = {{"gravity", model::DeadLoadKind::gravity, 9.81, along}};
+        EXPECT_EQ(build_case(d).dead_loads.at(0).vector_SI, (std::array<double, 3>{x, 0, 0})) << along;
     }
-    d.body_forces = {{"gravity", 9.81, "-y"}};
+    d.dead_loads = {{"gravity", model::DeadLoadKind::gravity, 9.81, "-y"}};
     EXPECT_EQ(refusal(d), "loads.gravity.along: 'y' is not a direction of this model; use axis, x, r or normal");
     d = loaded_design("rod", "solid");
-    d.body_forces = {{"gravity", 9.81, "-z"}};
-    EXPECT_EQ(build_case(d).body_forces.at(0).acceleration_m_s2, (std::array<double, 3>{0, 0, -9.81}));
+    d.dead_loads = {{"gravity", model::DeadLoadKind::gravity, 9.81, "-z"}};
+    EXPECT_EQ(build_case(d).dead_loads.at(0).vector_SI, (std::array<double, 3>{0, 0, -9.81}));
 }
 
 TEST(Weight, AcrossASymmetryPlaneIsRejected) {
     design::Design d = loaded_design("rod", "quarter");
-    d.body_forces = {{"gravity", 9.81, "-z"}};
+    d.dead_loads = {{"gravity", model::DeadLoadKind::gravity, 9.81, "-z"}};
     EXPECT_EQ(
         refusal(d),
         "loads.gravity.along: the symmetry plane z = 0 of the model would mirror the weight; use a model without this "
         "plane, or another direction");
-    d.body_forces = {{"gravity", 9.81, "x"}};
+    d.dead_loads = {{"gravity", model::DeadLoadKind::gravity, 9.81, "x"}};
     EXPECT_EQ(refusal(d), "accepted");
     d = loaded_design("rod", "half");
-    d.body_forces = {{"gravity", 9.81, "-z"}};
+    d.dead_loads = {{"gravity", model::DeadLoadKind::gravity, 9.81, "-z"}};
     EXPECT_EQ(refusal(d), "accepted");
     d = loaded_design("sphere", "solid");
-    d.body_forces = {{"gravity", 9.81, "-z"}};
+    d.dead_loads = {{"gravity", model::DeadLoadKind::gravity, 9.81, "-z"}};
     EXPECT_EQ(refusal(d), "loads.gravity.along: no support carries the weight of the body; remove gravity");
 }
 
@@ -114,21 +114,21 @@ TEST(Angles, HaveAnAxisAndABendHasAReference) {
 TEST(Forces, AreDistributedOverTheWholeFaceOfTheWholeActuator) {
     for (const char* model : {"solid", "half", "quarter"}) {
         design::Design d = loaded_design("rod", model);
-        d.tractions = {{"end", 2.0, "x", {}, design::Design::Spread::whole_face}};
+        d.dead_loads = {{"end", model::DeadLoadKind::force, 2.0, "x"}};
         const model::Case c = build_case(d);
-        ASSERT_EQ(c.tractions.size(), 1u);
+        ASSERT_EQ(c.dead_loads.size(), 1u);
         const double area = d.values.number("geometry.width") * d.values.number("geometry.height");
-        EXPECT_NEAR(c.tractions[0].area_m2, area, 1e-12 * area) << model;
-        EXPECT_NEAR(c.tractions[0].traction_Pa[0], 2.0 / area, 1e-9 / area) << model;
+        EXPECT_NEAR(c.dead_loads[0].area_m2, area, 1e-12 * area) << model;
+        EXPECT_NEAR(c.dead_loads[0].vector_SI[0], 2.0 / area, 1e-9 / area) << model;
         EXPECT_EQ(model::leading_load(c), model::LeadingLoad::force);
     }
     design::Design d = loaded_design("rod", "half");
-    d.tractions = {{"end", 2.0, "y", {}, design::Design::Spread::whole_face}};
+    d.dead_loads = {{"end", model::DeadLoadKind::force, 2.0, "y"}};
     EXPECT_EQ(refusal(d),
               "loads.end.along: a symmetry plane of the model would mirror the force; use a model without this plane, "
               "or another direction");
     d = loaded_design("sphere", "axisymmetric");  // half the section: the outer face is a whole sphere's
-    d.tractions = {{"outer", 2.0, "x", {}, design::Design::Spread::whole_face}};
+    d.dead_loads = {{"outer", model::DeadLoadKind::force, 2.0, "x"}};
     EXPECT_NE(refusal(d), "accepted");
 }
 

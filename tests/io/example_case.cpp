@@ -88,9 +88,10 @@ model::Case section_case() {
                     model::LoadShape::undeformed,
                     {model::TimeFunctionKind::ramp, 0.125, 0, {}, {}},
                     {}}};
-    model.tractions = {{"inlet", {-1.5e3, 0, 0}, {model::TimeFunctionKind::sine, 0, 12.5, {}, {}}},
-                       {"end_disc", {0, 250.0, 0}, table, 4.5e-4}};
-    model.body_forces = {{"gravity", {-9.81, 0, 0}, {model::TimeFunctionKind::step, 0, 0, {}, {}}}};
+    using enum model::DeadLoadKind;
+    model.dead_loads = {{"inlet", traction, {-1.5e3, 0, 0}, {model::TimeFunctionKind::sine, 0, 12.5, {}, {}}},
+                        {"end_disc", force, {0, 250.0, 0}, table, 4.5e-4},
+                        {"gravity", gravity, {-9.81, 0, 0}, {model::TimeFunctionKind::step, 0, 0, {}, {}}}};
     model.motions = {{"inlet", {-2e-3, std::nullopt, std::nullopt}}, {"end_disc", {0.0, 1e-3, std::nullopt}}};
     model.outputs = {{"elongation", "inlet", {-1, 0, 0}},
                      {"bend", "cavity", {0.6, 0.8, 0}, model::Measure::bend, "end_disc"}};
@@ -100,24 +101,21 @@ model::Case section_case() {
          "supply",
          {{"elongation", 0.13}, {"volume_ratio", 5}},
          {{model::Prescription::volume_ratio, 3}, {model::Prescription::pressure, -500}},
-         {1, 0.5},
-         {1},
+         {1, 0.5, 1},
          {0, 0}},
         {"hold",
          model::Control::volume,
          "supply",
          {},
          {{model::Prescription::closed, 0}, {model::Prescription::pressure, 0}},
-         {1, -0.5},
-         {1},
+         {1, -0.5, 1},
          {0.25, 1}},
         {"vent",
          model::Control::displacement,
          "bend",
          {{"bend", 0.5}},
          {{model::Prescription::mass, -2e-5}, {model::Prescription::pressure, 0}},
-         {0, 0},
-         {0},
+         {0, 0, 0},
          {1, 0}},
     };
     model.path.branch = model::Branch::follow;
@@ -339,7 +337,7 @@ model::Checkpoint example_checkpoint(int rows) {
     checkpoint.rows = rows;
     checkpoint.stage = 1;
     checkpoint.stage_first_row = 2;
-    checkpoint.start = {numbers(2, 5), numbers(2, 6), numbers(2, 7), numbers(2, 8), numbers(1, 9), numbers(2, 10)};
+    checkpoint.start = {numbers(2, 5), numbers(2, 6), numbers(2, 7), numbers(3, 8), numbers(2, 10)};
     checkpoint.control = 3;
     checkpoint.controlled = 1;
     checkpoint.user_control_failed = true;

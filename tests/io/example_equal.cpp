@@ -92,8 +92,7 @@ void expect_equal(const model::Checkpoint& left, const model::Checkpoint& right)
     EXPECT_EQ(left.start.pressures_Pa, right.start.pressures_Pa);
     EXPECT_EQ(left.start.volumes_m3, right.start.volumes_m3);
     EXPECT_EQ(left.start.masses_kg, right.start.masses_kg);
-    EXPECT_EQ(left.start.tractions, right.start.tractions);
-    EXPECT_EQ(left.start.body_forces, right.start.body_forces);
+    EXPECT_EQ(left.start.dead_loads, right.start.dead_loads);
     EXPECT_EQ(left.start.motions, right.start.motions);
     EXPECT_EQ(left.control, right.control);
     EXPECT_EQ(left.controlled, right.controlled);

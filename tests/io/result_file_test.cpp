@@ -129,14 +129,12 @@ model::Case changed_case() {
     model.materials[0].law = "yeoh";
     model.materials[0].constants = {{"c1", {1e5}}};
     model.loads = {{"left", {"main"}, true, {}}, {"right", {"annex"}, true, {}}, {"outside", {"inlet"}, false, {}}};
-    model.tractions.pop_back();
-    model.body_forces.clear();
+    model.dead_loads.resize(1);
     model.motions.clear();
     const model::SupplyTarget full{model::Prescription::pressure, 3e4};
     model.path.stages.resize(1);
     model.path.stages[0].supplies = {full, full, full};
-    model.path.stages[0].tractions = {0};
-    model.path.stages[0].body_forces.clear();
+    model.path.stages[0].dead_loads = {0};
     model.path.stages[0].motions.clear();
     model.path.stages[0].controlled = "left";
     model.solver.step_limit = 5;

@@ -88,8 +88,7 @@ void expect_equal(const Stage& left, const Stage& right) {
         EXPECT_EQ(a.what, b.what);
         EXPECT_EQ(a.value, b.value);
     });
-    EXPECT_EQ(left.tractions, right.tractions);
-    EXPECT_EQ(left.body_forces, right.body_forces);
+    EXPECT_EQ(left.dead_loads, right.dead_loads);
     EXPECT_EQ(left.motions, right.motions);
 }
 
@@ -147,15 +146,11 @@ void expect_equal(const Case& left, const Case& right) {
         ASSERT_EQ(a.line.has_value(), b.line.has_value());
         EXPECT_EQ(a.line.value_or(SupplyLine{}).resistance_Pa_s_m3, b.line.value_or(SupplyLine{}).resistance_Pa_s_m3);
     });
-    expect_all(left.tractions, right.tractions, [](const auto& a, const auto& b) {
-        EXPECT_EQ(a.face, b.face);
-        EXPECT_EQ(a.traction_Pa, b.traction_Pa);
-        EXPECT_EQ(a.area_m2, b.area_m2);
-        expect_equal(a.time_function, b.time_function);
-    });
-    expect_all(left.body_forces, right.body_forces, [](const auto& a, const auto& b) {
+    expect_all(left.dead_loads, right.dead_loads, [](const auto& a, const auto& b) {
         EXPECT_EQ(a.name, b.name);
-        EXPECT_EQ(a.acceleration_m_s2, b.acceleration_m_s2);
+        EXPECT_EQ(a.kind, b.kind);
+        EXPECT_EQ(a.vector_SI, b.vector_SI);
+        EXPECT_EQ(a.area_m2, b.area_m2);
         expect_equal(a.time_function, b.time_function);
     });
     expect_all(left.motions, right.motions, [](const auto& a, const auto& b) {

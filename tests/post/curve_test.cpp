@@ -63,7 +63,7 @@ TEST(Curve, NamesTheLoadColumnByTheLeadingLoad) {
     EXPECT_EQ(factor.columns[1].name, "load_factor");
     EXPECT_EQ(factor.columns[1].values[0], 500.0);
     EXPECT_EQ(factor.coordinate_names(), "load_factor");
-    model.tractions = {{"tip", {1e3, 0, 0}}};
+    model.dead_loads = {{"tip", model::DeadLoadKind::traction, {1e3, 0, 0}}};
     EXPECT_EQ(make_curve(model, steps).columns[1].name, "traction_kPa");
     EXPECT_EQ(make_curve(model, steps).columns[1].values[0], 0.5);
 }

@@ -96,7 +96,7 @@ TEST(PlotScript, LabelsTheAxisWithTheLeadingLoad) {
     auto steps = test::sphere_path(9, 3);
     for (auto& step : steps) step.volume_m3.reset();
     EXPECT_EQ(count(script_of(make_curve(model, steps), {}), "set ylabel 'load factor'"), 1u);
-    model.tractions = {{"tip", {1e3, 0, 0}}};
+    model.dead_loads = {{"tip", model::DeadLoadKind::traction, {1e3, 0, 0}}};
     EXPECT_EQ(count(script_of(make_curve(model, steps), {}), "set ylabel 'traction (kPa)'"), 1u);
 }
 

@@ -26,7 +26,7 @@ TEST(Motion, AFreeBodyHasTheMomentumOfItsLoads) {
     input.mesh.facet_sets.clear();
     name_boundary(input.mesh, [](const mesh::Point& p) { return p[0] > 1.0 - 1e-9 ? "end" : "rest"; });
     const std::array<double, 3> traction{0.05 * sample_mu_Pa, 0.03 * sample_mu_Pa, 0.0};
-    input.tractions = {{"end", traction, step_time_function()}};
+    input.dead_loads = {{"end", model::DeadLoadKind::traction, traction, step_time_function()}};
     input.path.stages = {full_load(input, {})};
     input.dynamics = Dynamics{.duration_s = 0.3, .step_s = 0.01};
     fem::System system(input, PETSC_COMM_WORLD);
@@ -268,7 +268,7 @@ TEST(Motion, RejectsUnsupportedCases) {
     mixed.dynamics->integrator = Integrator::central_difference;
     refused(mixed, "pressure unknown");
     auto moving = bar_case(2, 0.0, step_time_function());
-    moving.tractions.clear();
+    moving.dead_loads.clear();
     moving.motions = {{"end", {1e-3, std::nullopt, std::nullopt}}};
     moving.path.stages = {full_load(moving, {})};
     moving.dynamics = Dynamics{.duration_s = 1e-3};

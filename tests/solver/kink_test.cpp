@@ -52,7 +52,7 @@ TEST(Kink, ThePathStartsInTheDirectionOfTheTautFibres) {
         input.materials[0].fiber_frame = model::FiberFrame::cartesian;
         input.materials[0].fibers = model::Fibers{along ? 0.0 : std::numbers::pi / 2, stiffness * sample_mu_Pa, 1, 1};
         input.loads.clear();
-        input.tractions = {{"end", {0.05 * sample_mu_Pa, 0, 0}}};
+        input.dead_loads = {{"end", model::DeadLoadKind::traction, {0.05 * sample_mu_Pa, 0, 0}}};
         input.path.stages = {full_load(input, {})};
         const auto [steps, end, log] = run(input);
         ASSERT_EQ(end.reason, model::StopReason::done) << end.detail;

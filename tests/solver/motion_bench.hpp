@@ -76,7 +76,7 @@ inline model::Case bar_case(int cells, double traction_Pa, const model::TimeFunc
     material.bulk_modulus_Pa = 0.6 * bar_modulus_Pa;
     material.density_kg_m3 = bar_density;
     input.materials = {material};
-    input.tractions = {{"end", {traction_Pa, 0, 0}, time_function}};
+    input.dead_loads = {{"end", model::DeadLoadKind::traction, {traction_Pa, 0, 0}, time_function}};
     input.outputs = {{"elongation", "end", {1, 0, 0}}};
     input.path.stages = {full_load(input, {})};
     return input;

@@ -35,7 +35,7 @@ model::Case bar(double traction_Pa, int frequencies) {
     input.supports = {{"fixed", {true, false, false}}, {"side", {false, true, false}}};
     input.materials[0].density_kg_m3 = density;
     input.materials[0].bulk_modulus_Pa = 2 * sample_mu_Pa;
-    input.tractions = {{"end", {traction_Pa, 0, 0}}};
+    input.dead_loads = {{"end", model::DeadLoadKind::traction, {traction_Pa, 0, 0}}};
     input.outputs = {{"elongation", "end", {1, 0, 0}}};
     input.path.stages = {full_load(input, {})};
     input.path.frequencies = frequencies;

@@ -18,8 +18,9 @@ model::Case loaded_block() {
     input.supports = {{"fixed", {true, true, true}}};
     input.materials[0].density_kg_m3 = 1080;
     input.loads = {{.name = "top", .targets = {"top"}, .gas = {}}};
-    input.tractions = {{"end", {2e4, 0, 5e3}}};
-    input.body_forces = {{"gravity", {0, 0, -300}}};  // thirty times the earth's, for a visible effect
+    input.dead_loads = {
+        {"end", model::DeadLoadKind::traction, {2e4, 0, 5e3}},
+        {"gravity", model::DeadLoadKind::gravity, {0, 0, -300}}};  // thirty times the earth's, for a visible effect
     input.outputs = {{"sag", "end", {0, 0, 1}}, {"bend", "end", {0, 1, 0}, model::Measure::bend, "fixed"}};
     input.path.stages = {full_load(input, {1e4})};
     return input;
@@ -31,7 +32,7 @@ TEST(Programme, TheSameLoadsGiveTheSameStateInAnyOrder) {
     const auto together = run(input);
     ASSERT_EQ(together.end.reason, StopReason::done);
     auto weight = full_load(input, {0.0}), pull = weight, all = full_load(input, {1e4});
-    weight.tractions = {0.0};
+    weight.dead_loads = {0.0, 1.0};
     input.path.stages = {weight, pull, all};
     const auto in_turn = run(input);
     ASSERT_EQ(in_turn.end.reason, StopReason::done);
@@ -41,7 +42,7 @@ TEST(Programme, TheSameLoadsGiveTheSameStateInAnyOrder) {
                     1e-7 * std::abs(together.steps.back().outputs[output]));
     // Loading and unloading.
     auto none = full_load(input, {0.0});
-    none.tractions = none.body_forces = {0.0};
+    none.dead_loads = {0.0, 0.0};
     input.path.stages.push_back(none);
     const auto back = run(input);
     EXPECT_NEAR(back.steps.back().outputs[0], 0.0, 1e-9 * 0.01);
@@ -49,8 +50,7 @@ TEST(Programme, TheSameLoadsGiveTheSameStateInAnyOrder) {
 
 TEST(Programme, AnAngleCanBeControlledAndCanBeAGoal) {
     auto input = loaded_block();
-    input.tractions.clear();
-    input.body_forces.clear();
+    input.dead_loads.clear();
     input.path.stages = {full_load(input, {2e5})};
     auto& stage = input.path.stages[0];
     stage.control = model::Control::displacement;

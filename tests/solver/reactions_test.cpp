@@ -111,8 +111,8 @@ model::Case clamped_block() {
     input.supports = {{"fixed", {true, true, true}}, {"end", {true, true, true}}};
     input.materials[0].density_kg_m3 = 1080;
     input.loads = {{.name = "bottom", .targets = {"bottom"}, .gas = {}, .shape = model::LoadShape::undeformed}};
-    input.tractions = {{"right", {1e3, 2e3, 5e3}}};
-    input.body_forces = {{"gravity", {30, 0, -300}}};
+    input.dead_loads = {{"right", model::DeadLoadKind::traction, {1e3, 2e3, 5e3}},
+                        {"gravity", model::DeadLoadKind::gravity, {30, 0, -300}}};
     input.outputs.clear();
     for (const char* face : {"fixed", "end"})
         for (std::size_t i = 0; i < 3; ++i)
@@ -142,8 +142,7 @@ TEST(Reactions, MomentsBalanceAboutAnyPoint) {
     input.supports = {{"fixed", {true, true, true}}, {"left", {true, true, true}}};
     for (auto& output : input.outputs)
         if (output.face == "end") output.face = "left";
-    input.tractions.clear();
-    input.body_forces.clear();
+    input.dead_loads.clear();
     input.loads = {{.name = "all", .targets = {"all"}, .gas = {}}};
     for (const char* face : {"fixed", "end", "left", "bottom", "right", "top"})
         for (const auto& facet : input.mesh.facet_sets.at(face)) input.mesh.facet_sets["all"].push_back(facet);

@@ -30,8 +30,8 @@ model::Case loaded_block() {
     input.supports = {{"fixed", {true, true, true}}};
     input.materials[0].density_kg_m3 = 1080;
     input.loads = {{.name = "top", .targets = {"top"}, .gas = {}, .shape = model::LoadShape::undeformed}};
-    input.tractions = {{"right", {2e4, 0, 5e3}}};
-    input.body_forces = {{"gravity", {0, 0, -300}}};
+    input.dead_loads = {{"right", model::DeadLoadKind::traction, {2e4, 0, 5e3}},
+                        {"gravity", model::DeadLoadKind::gravity, {0, 0, -300}}};
     input.motions = {{"end", {3e-3, std::nullopt, std::nullopt}}};
     input.outputs = {{"sag", "end", {0, 0, 1}}};
     input.path.stages = {full_load(input, {1e4})};
@@ -45,7 +45,7 @@ TEST(Work, OfDeadLoadsAndMotionsIsTheEnergyOfTheRubber) {
     EXPECT_LT(gap(together.steps.back()), 1e-5);
     // With stages the direction of the path changes between them; the energy depends only on the state.
     auto weight = full_load(input, {0.0}), all = full_load(input, {1e4});
-    weight.tractions = {0.0};
+    weight.dead_loads = {0.0, 1.0};
     weight.motions = {0.5};
     input.path.stages = {weight, all};
     const auto in_turn = run(input);
