@@ -85,6 +85,13 @@ std::string corners_line(const mesh::ReentrantCorners& corners) {
            "curves converge slowly, see solve --tolerance";
 }
 
+std::string obstacles_line(const std::vector<geometry::ObstacleGap>& obstacles) {
+    std::vector<std::string> gaps;
+    for (const geometry::ObstacleGap& obstacle : obstacles)
+        gaps.push_back(obstacle.name + " " + length_text(std::max(obstacle.gap_m, 0.0)));
+    return "obstacles, gap to the actuator: " + core::join(gaps);
+}
+
 std::string part_line(const MeshSummary::Part& part, double volume_m3) {
     const meshing::WallStatistics &before = part.file.walls, &after = part.walls;
     return part.file.file + ": " + std::to_string(part.file.facets) + " facets; volume " +
@@ -126,6 +133,7 @@ MeshSummary inspect(const geometry::Built& built) {
     summary.rubber_volume_m3 = mesh::measure(model.mesh, measure_of(model)) / model.model_fraction;
     summary.mass_kg = mass_kg(model);
     summary.notes = built.notes;
+    summary.obstacles = built.gaps;
     summary.cavities = surface::check_cavities(model);
     for (const surface::CavityReport& cavity : summary.cavities)
         summary.min_wall_locations.push_back(model::location_text(model.kinematics, cavity.min_wall_location));
@@ -163,6 +171,7 @@ std::vector<std::string> summary_lines(const MeshSummary& summary) {
                                        summary.cell_types + "), " + std::to_string(summary.points) + " points, " +
                                        std::to_string(summary.unknowns) + " unknowns",
                                    shape};
+    if (!summary.obstacles.empty()) lines.push_back(obstacles_line(summary.obstacles));
     if (summary.inner_corners.count > 0) lines.push_back(corners_line(summary.inner_corners));
     lines.insert(lines.end(), summary.notes.begin(), summary.notes.end());
     if (!summary.part) return lines;
@@ -199,6 +208,8 @@ nlohmann::ordered_json summary_json(const MeshSummary& summary, const std::vecto
     json["inner_corners"] = {{"count", summary.inner_corners.count},
                              {"length_m", summary.inner_corners.length_m},
                              {"cell_m", summary.inner_corners.cell_m}};
+    for (const geometry::ObstacleGap& obstacle : summary.obstacles)
+        json["obstacles"].push_back({{"name", obstacle.name}, {"gap_m", std::max(obstacle.gap_m, 0.0)}});
     if (!summary.notes.empty()) json["notes"] = summary.notes;
     if (summary.mass_kg) json["mass_kg"] = *summary.mass_kg;
     if (summary.part)

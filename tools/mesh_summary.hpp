@@ -34,6 +34,7 @@ struct MeshSummary {
     std::vector<std::string> notes;  ///< how a drawn outline was interpreted
     std::vector<std::string>
         min_wall_locations;  ///< "x = 12.3 mm, r = 4.5 mm": location of the smallest wall of each cavity
+    std::vector<geometry::ObstacleGap> obstacles;
 };
 
 /// Throws Error(bad_input) for a case that cannot be solved: inverted cells, or a cavity surface that is open or intersects itself.
@@ -42,7 +43,7 @@ struct MeshSummary {
 /// Warning about the memory that solve will need, for more than a million unknowns; otherwise empty.
 [[nodiscard]] std::string memory_warning(std::size_t unknowns, int dimension);
 
-/// Two lines; one more for sharp re-entrant corners, up to two more for an imported part.
+/// Two lines; one more for obstacles, one for sharp re-entrant corners, up to two more for an imported part.
 [[nodiscard]] std::vector<std::string> summary_lines(const MeshSummary& summary);
 /// SI values; the key names contain the units.
 [[nodiscard]] nlohmann::ordered_json summary_json(const MeshSummary& summary, const std::vector<std::string>& warnings);

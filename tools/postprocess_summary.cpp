@@ -6,6 +6,7 @@
 #include "cli.hpp"
 #include "core/text.hpp"
 #include "design/fitted.hpp"
+#include "event_summary.hpp"
 #include "material_summary.hpp"
 
 namespace soft {
@@ -64,22 +65,15 @@ nlohmann::ordered_json postprocess_summary(const io::Result& result, const post:
                  {"columns", nlohmann::ordered_json::array()},
                  {"materials", cli::materials_json(result.model, effective_design(result))},
                  {"material_fit", fit_json(result)},
-                 {"stop_reason", nullptr},
-                 {"limit_points", nlohmann::ordered_json::array()},
-                 {"bifurcations", nlohmann::ordered_json::array()}});
+                 {"stop_reason", nullptr}});
+    cli::add_events(json, result.end.value_or(model::PathEnd{}), result.model,
+                    [&](const model::LimitPoint& point) { return location_json(curve, point); });
     for (const post::Column& column : curve.columns) json["columns"].push_back(column.name);
     if (!result.end) return json;
     json["stop_reason"] = model::name(result.end->reason);
     json["detail"] = result.end->detail;
     json["newton_iterations"] = result.end->newton_iterations;
     json["factorizations"] = result.end->factorizations;
-    for (const model::LimitPoint& limit : result.end->limit_points)
-        json["limit_points"].push_back(location_json(curve, limit));
-    for (const model::Bifurcation& bifurcation : result.end->bifurcations) {
-        json["bifurcations"].push_back(location_json(curve, bifurcation.at));
-        json["bifurcations"].back()["modes"] = bifurcation.modes;
-        json["bifurcations"].back()["mode_stored"] = !bifurcation.mode.empty();
-    }
     return json;
 }
 
@@ -92,6 +86,8 @@ std::vector<std::string> summary_lines(const nlohmann::ordered_json& json) {
                                    (detail.empty() ? "" : " (" + detail + ")")};
     for (const auto& limit : json["limit_points"]) lines.push_back("limit point: " + location_line(limit));
     for (const auto& branch : json["bifurcations"]) lines.push_back("bifurcation: " + location_line(branch));
+    for (const auto& contact : json["events"])
+        lines.push_back("first contact: " + location_line(contact) + ": " + contact["text"].get<std::string>());
     if (const auto& fit = json["material_fit"]; !fit.is_null()) lines.push_back(fit_line(fit));
     return lines;
 }

@@ -11,11 +11,13 @@
 
 namespace soft {
 
-/// For --json: rows, columns, stop_reason (null if solve has not finished), limit points and bifurcations keyed by column name.
+/// For --json: rows, columns, stop_reason (null if solve has not finished), limit points, bifurcations and
+/// events keyed by column name.
 [[nodiscard]] nlohmann::ordered_json postprocess_summary(const io::Result& result, const post::Curve& curve,
                                                          std::size_t rows);
 
-/// Text of the summary: one line for the path, one per limit point or bifurcation, one for the test data of fitted constants.
+/// Text of the summary: one line for the path, one per limit point, bifurcation or first contact, one for the test data of
+/// fitted constants.
 [[nodiscard]] std::vector<std::string> summary_lines(const nlohmann::ordered_json& json);
 
 /// Warning that the rubber is stretched beyond the data to which its constants were fitted (design::fit_range_advice).

@@ -10,6 +10,7 @@
 #include "core/text.hpp"
 #include "design/fitted.hpp"
 #include "design/tree.hpp"
+#include "event_summary.hpp"
 #include "geometry/build.hpp"
 #include "interrupt.hpp"
 #include "io/result_file.hpp"
@@ -214,8 +215,7 @@ ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) 
         summary.peak_memory_MB = peak_memory_MB();
         if (options.profile) summary.profile = linalg::profile_rows();
         summary.wall_s = seconds_since(begin);
-        for (const auto& lines : {limit_lines(summary, model), bifurcation_lines(summary.end, model)})
-            for (const std::string& line : lines) console.say(line);
+        for (const std::string& line : event_lines(summary.end, summary.steps, model)) console.say(line);
         for (const std::string& line : {control_line(summary, model), stability_line(summary)})
             if (!line.empty()) console.say(line);
         console.say(summary_line(summary, model));

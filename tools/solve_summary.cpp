@@ -11,6 +11,7 @@
 
 #include "core/text.hpp"
 #include "core/units.hpp"
+#include "event_summary.hpp"
 
 namespace soft::cli {
 namespace {
@@ -19,45 +20,7 @@ double seconds(const timeval& time) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-/// "12.3 kPa", "2 N", or "load factor 0.5" for a case without pressures, tractions and forces.
-std::string load_text(double load, const model::Case& model) {
-    switch (model::leading_load(model)) {
-        case model::LeadingLoad::pressure:
-        case model::LeadingLoad::traction: return core::rounded_text(1e-3 * load, 5) + " kPa";
-        case model::LeadingLoad::force: return core::rounded_text(load, 5) + " N";
-        case model::LeadingLoad::load_factor: break;
-    }
-    return "load factor " + core::rounded_text(load, 5);
-}
-
-std::string output_text(const model::Output& output, double value) {
-    const model::MeasureUnit& unit = model::unit_of(output.measure);
-    return output.name + " " + core::rounded_text(value / unit.SI_per_shown, 6) + " " + std::string{unit.shown};
-}
-
-/// Load, outputs and volume of a row or of a point on the path.
-template <class Point>
-std::string location_text(const Point& point, const model::Case& model) {
-    std::string text = load_text(point.pressure_Pa, model);
-    for (std::size_t i = 0; i < point.outputs.size(); ++i)
-        text += ", " + output_text(model.outputs[i], point.outputs[i]);
-    if (point.volume_m3) text += ", volume " + core::rounded_text(1e6 * *point.volume_m3, 6) + " mL";
-    return text;
-}
-
-template <class Point>
-void add_point(nlohmann::ordered_json& json, const Point& point, const model::Case& model) {
-    switch (model::leading_load(model)) {
-        case model::LeadingLoad::pressure: json["pressure_Pa"] = point.pressure_Pa; break;
-        case model::LeadingLoad::traction: json["traction_Pa"] = point.pressure_Pa; break;
-        case model::LeadingLoad::force: json["load_N"] = point.pressure_Pa; break;
-        case model::LeadingLoad::load_factor: json["load_factor"] = point.pressure_Pa; break;
-    }
-    if (point.volume_m3) json["volume_m3"] = *point.volume_m3;
-    for (std::size_t i = 0; i < point.outputs.size(); ++i)
-        json[model.outputs[i].name + "_" + std::string{model::unit_of(model.outputs[i].measure).SI_suffix}] =
-            point.outputs[i];
-}
+model::LimitPoint point_of(const model::Step& step) { return {0, step.pressure_Pa, step.volume_m3, step.outputs}; }
 
 std::string time_text(double time_s) { return core::quantity_text(time_s, core::Dimension::time); }
 
@@ -83,7 +46,7 @@ std::string motion_text(const SolveSummary& summary, const model::Dynamics& dyna
 nlohmann::ordered_json end_json(const model::Step& last, const model::Case& model) {
     nlohmann::ordered_json json;
     if (model.path.stages.size() > 1) json["stage"] = model.path.stages[static_cast<std::size_t>(last.stage)].name;
-    add_point(json, last, model);
+    add_point(json, point_of(last), model);
     for (std::size_t i = 0; i < last.pressures_Pa.size(); ++i)
         json["pressures_Pa"][model.loads[i].name] = last.pressures_Pa[i];
     const auto cavities = model::measured_cavities(model);
@@ -179,13 +142,12 @@ nlohmann::ordered_json summary_json(const SolveSummary& summary, const model::Ca
                                    {"ranks", summary.ranks},
                                    {"wall_s", summary.wall_s},
                                    {"cpu_s", summary.cpu_s},
-                                   {"peak_memory_MB", summary.peak_memory_MB},
-                                   {"limit_points", nlohmann::ordered_json::array()}};
-    for (const auto& limit : summary.end.limit_points) {
-        nlohmann::ordered_json point = {{"step", limit.step}};
-        add_point(point, limit, model);
-        json["limit_points"].push_back(std::move(point));
-    }
+                                   {"peak_memory_MB", summary.peak_memory_MB}};
+    add_events(json, summary.end, model, [&](const model::LimitPoint& at) {
+        nlohmann::ordered_json point = {{"step", at.step}};
+        add_point(point, at, model);
+        return point;
+    });
     for (const auto& [row, control] : summary.controls)
         json["controls"].push_back({{"from_row", row}, {"control", control}});
     if (const auto error = summary.energy.error()) json["energy_balance_error"] = *error;
@@ -198,14 +160,6 @@ nlohmann::ordered_json summary_json(const SolveSummary& summary, const model::Ca
                             {"finest_unknowns", accuracy.unknowns}};
         if (accuracy.has_bars) json["accuracy"]["reached"] = accuracy.reached;
         json["accuracy"]["doubts"] = accuracy.doubts;
-    }
-    json["bifurcations"] = nlohmann::ordered_json::array();
-    for (const auto& bifurcation : summary.end.bifurcations) {
-        nlohmann::ordered_json point = {{"step", bifurcation.at.step}};
-        add_point(point, bifurcation.at, model);
-        point["modes"] = bifurcation.modes;
-        point["mode_stored"] = !bifurcation.mode.empty();
-        json["bifurcations"].push_back(std::move(point));
     }
     for (const auto& row : summary.profile)
         json["profile"].push_back({{"what", row.what}, {"calls", row.calls}, {"seconds", row.seconds}});
@@ -222,33 +176,6 @@ std::vector<std::string> accuracy_lines(const AccuracySummary& accuracy) {
                                            : "no error bars are available") +
                         "; " + accuracy.end_reason);
     for (const std::string& doubt : accuracy.doubts) lines.push_back("the error bars are less reliable: " + doubt);
-    return lines;
-}
-
-std::vector<std::string> limit_lines(const SolveSummary& summary, const model::Case& model) {
-    constexpr std::size_t max_lines = 6;
-    std::vector<std::string> lines;
-    for (const model::LimitPoint& point : summary.end.limit_points)
-        if (point.step < summary.steps) lines.push_back("limit point at " + location_text(point, model));
-    if (lines.size() > max_lines) {
-        const std::size_t more = lines.size() - max_lines;
-        lines.resize(max_lines);
-        lines.push_back(core::counted(more, "further limit point") + ", see postprocess");
-    }
-    return lines;
-}
-
-std::vector<std::string> bifurcation_lines(const model::PathEnd& end, const model::Case& model) {
-    std::vector<std::string> lines;
-    for (const auto& bifurcation : end.bifurcations) {
-        const std::string leaving =
-            bifurcation.modes == 1
-                ? "another branch intersects the path"
-                : std::to_string(bifurcation.modes) + " critical modes, so several branches intersect the path";
-        lines.push_back(
-            "bifurcation at " + location_text(bifurcation.at, model) + ": " + leaving +
-            (bifurcation.mode.empty() ? "; no mode is stored" : "; the mode is stored in the result (/modes)"));
-    }
     return lines;
 }
 
@@ -277,7 +204,7 @@ std::string step_text(const model::Step& step, const model::Case& model) {
     const auto& stages = model.path.stages;
     const std::string stage = stages.size() > 1 ? stages[static_cast<std::size_t>(step.stage)].name + ": " : "";
     const std::string time = step.motion ? time_text(step.motion->time_s) + ", " : "";
-    return time + stage + location_text(step, model);
+    return time + stage + location_text(point_of(step), model);
 }
 
 namespace {

@@ -79,12 +79,6 @@ struct MemoryRange {
 /// the error bars are less reliable.
 [[nodiscard]] std::vector<std::string> accuracy_lines(const AccuracySummary& accuracy);
 
-/// One line per limit point of the load, for the first few: "limit point at 44.339 kPa, elongation 13.44 mm, volume 45.7 mL". Excludes
-/// a limit point at which the path ends, since the summary line names it.
-[[nodiscard]] std::vector<std::string> limit_lines(const SolveSummary& summary, const model::Case& model);
-
-/// One line per bifurcation: "bifurcation at 26.1 kPa, elongation 127 mm, volume 80 mL: another branch leaves the path ..."
-[[nodiscard]] std::vector<std::string> bifurcation_lines(const model::PathEnd& end, const model::Case& model);
 /// The controls selected by `path.control: auto` with their first rows; empty for a single control or a user-selected one.
 [[nodiscard]] std::string control_line(const SolveSummary& summary, const model::Case& model);
 /// Line for a path that reaches its goal in an unstable state; otherwise empty.

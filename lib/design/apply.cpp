@@ -10,8 +10,10 @@ namespace soft::design {
 namespace {
 
 /// Sections that solve may change; mesh and shape do not depend on them.
-constexpr std::array<std::string_view, 6> changeable = {"material", "materials", "loads", "path", "dynamics", "solver"};
-constexpr std::string_view changeable_remedy = "solve can change material, materials, loads, path, dynamics, solver";
+constexpr std::array<std::string_view, 7> changeable = {"material", "materials", "loads", "contact",
+                                                        "path",     "dynamics",  "solver"};
+constexpr std::string_view changeable_remedy =
+    "solve can change material, materials, loads, contact, path, dynamics, solver";
 
 void check_changeable(const Override& change) {
     const std::string section = change.path.substr(0, change.path.find('.'));

@@ -110,7 +110,9 @@ void check_number(const Key& key, Item& item, const Node& node) {
     else
         item.entry.number = value_or_refuse(core::parse_quantity(node.text, *dimension_of(key.kind)), key, node);
     check_range(key, item.entry.number, node);
-    if (key.kind == Kind::length && (key.path.starts_with("geometry.") || key.path.starts_with("mesh.")))
+    constexpr std::array<std::string_view, 3> sized{"geometry.", "mesh.", "obstacles."};
+    if (key.kind == Kind::length &&
+        std::ranges::any_of(sized, [&](std::string_view section) { return key.path.starts_with(section); }))
         check_size(key, item.entry.number, node);
     item.entry.text = core::tidy_quantity(node.text);
     item.entry.numbers = {item.entry.number};

@@ -24,7 +24,8 @@ struct Item {
 struct FaceNames {
     std::vector<std::string> faces;
     std::map<std::string, std::string> aliases;
-    std::vector<std::string> cavities = {};  ///< cavities whose wall, the face of the same name, exists
+    std::vector<std::string> cavities = {};   ///< cavities whose wall, the face of the same name, exists
+    std::vector<std::string> obstacles = {};  ///< no faces; loads and outputs may name them
 };
 
 /// Value of a Kind::faces key instead of a face, if the key lists it as a choice.

@@ -4,6 +4,7 @@
 
 #include "core/text.hpp"
 #include "design/common_keys.hpp"
+#include "design/obstacles.hpp"
 
 namespace soft::design {
 namespace {
@@ -124,7 +125,8 @@ Node tree_of(std::span<const Item> items) {
     sorted.kind = Node::Kind::map;
     for (const SectionNote& section : section_notes()) {
         if (find(root, section.name) == nullptr) {
-            if (section.name == "names" || section.name == "materials") continue;  // few designs have any
+            if (section.name == "names" || section.name == "materials" || section.name == obstacles_section)
+                continue;  // few designs have any
             add_empty(section.name);
         }
         sorted.members.push_back(*find_member(root, section.name));

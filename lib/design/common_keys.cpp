@@ -11,6 +11,8 @@ namespace soft::design {
 
 std::vector<std::string> directions() { return {"axis", "x", "y", "z", "r", "normal"}; }
 
+std::vector<std::string> obstacle_directions() { return {"axis", "x", "y", "z"}; }
+
 std::vector<Key> head_keys(const FamilyKeys& family) {
     return {choice_key("family", "", {family.name}, "actuator family, see `mesh-gen --list`"),
             with_default(family.name, value_key("name", Kind::text, {}, "title of the case in files and plots"))};
@@ -66,13 +68,24 @@ Key output_point_key(const std::string& output) {
             .max_count = 3};
 }
 
-Key output_measure_key(const std::string& output, const model::MeasureInfo* measure) {
+Key output_obstacle_key(const std::string& output, std::vector<std::string> obstacles) {
+    return choice_key("outputs." + output + ".obstacle", "", std::move(obstacles),
+                      "obstacle whose contact with the actuator is measured, in place of a face; self: contact of the "
+                      "actuator with itself");
+}
+
+Key output_measure_key(const std::string& output, model::MeasuredObject object, const model::MeasureInfo* measure) {
+    using model::MeasuredObject;
     std::vector<std::string> words, meanings;
     for (const model::MeasureInfo& row : model::measures) {
+        if (object != row.object && object != MeasuredObject::face_or_obstacle &&
+            row.object != MeasuredObject::face_or_obstacle)
+            continue;
         words.emplace_back(row.name);
         meanings.push_back(std::string{row.name} + ": " + std::string{row.meaning});
     }
-    return choice_key("outputs." + output + ".measure", "displacement", std::move(words),
+    return choice_key("outputs." + output + ".measure", object == MeasuredObject::obstacle ? "" : "displacement",
+                      std::move(words),
                       measure == nullptr ? core::join(meanings, "; ") : std::string{measure->meaning});
 }
 
@@ -162,12 +175,17 @@ const std::vector<SectionNote>& section_notes() {
         {"supports", "component: face or [face, face]; fixed: all components; x, y, z or r: that component"},
         {"loads",
          "cavity (or cavities: name): {pressure | volume | volume_ratio | mass | valve: closed}, sealed, gas; a face: " +
-             form_list(LoadTarget::face) + "; gravity: " + form_list(LoadTarget::gravity) +
+             form_list(LoadTarget::face) +
+             "; an obstacle: {displacement, along}; gravity: " + form_list(LoadTarget::gravity) +
              "; with dynamics also "
              "time_function: {kind: ramp, rise | step | sine, frequency | table, times, shares}, and of a cavity line: {resistance}"},
+        {"obstacles",
+         "name: {plane | cylinder | sphere | box | profile | surface}; rigid, at rest or moved by a load of the same "
+         "name"},
+        {"contact", "of the actuator with itself and with the obstacles"},
         {"path",
          "from the unloaded state to the full load, or through stages: {name: {loads, control, controlled, until}, ...}"},
-        {"outputs", "name: {face or point, measure, along}; becomes a column of the curve"},
+        {"outputs", "name: {face, point or obstacle, measure, along}; becomes a column of the curve"},
         {"dynamics", "motion in time from rest in the undeformed state; needs material.density"},
         {"solver", "methods, tolerances and limits; the defaults suit most designs"},
     };

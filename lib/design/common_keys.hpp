@@ -15,8 +15,11 @@ namespace soft::design {
 [[nodiscard]] Key support_key(const std::string& component);
 [[nodiscard]] Key output_point_key(const std::string& output);
 [[nodiscard]] Key output_face_key(const std::string& output);
-/// Its meaning is that of `measure`, or of all measures if it is nullptr.
-[[nodiscard]] Key output_measure_key(const std::string& output, const model::MeasureInfo* measure = nullptr);
+[[nodiscard]] Key output_obstacle_key(const std::string& output, std::vector<std::string> obstacles);
+/// The measures of a face or of an obstacle, where it has no default, or of both. Its meaning is that of `measure`, or of all these
+/// measures if it is nullptr.
+[[nodiscard]] Key output_measure_key(const std::string& output, model::MeasuredObject object,
+                                     const model::MeasureInfo* measure = nullptr);
 [[nodiscard]] Key output_reference_key(const std::string& output);
 [[nodiscard]] Key output_along_key(const std::string& output, std::string fallback);
 /// Key of an end criterion other than an output; `section` is "path.until" or the `until` of a stage.
@@ -24,7 +27,8 @@ namespace soft::design {
 /// Keys names.<alias> with the face as the only choice. They are stored in the effective design, so that solve knows the aliases.
 [[nodiscard]] std::vector<Key> name_keys(const FamilyKeys& family);
 
-[[nodiscard]] std::vector<std::string> directions();  ///< axis, x, y, z, r, normal
+[[nodiscard]] std::vector<std::string> directions();           ///< axis, x, y, z, r, normal
+[[nodiscard]] std::vector<std::string> obstacle_directions();  ///< axis, x, y, z
 
 /// The key `geometry.cavities.<cavity>` of a family with faces_of_file.
 [[nodiscard]] Key cavity_faces_key(const std::string& cavity);

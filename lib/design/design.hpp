@@ -47,6 +47,13 @@ struct FileFaces {
     std::vector<std::string> cavities = {};  ///< faces that are walls of separate cavities, in addition to "cavity"
 };
 
+/// A shape of obstacles: the word that selects it ("plane") and its keys, with paths relative to the obstacle. The path of the first
+/// key begins with the word: "plane.point", or "surface".
+struct ObstacleKeys {
+    std::string name;
+    std::vector<Key> keys;
+};
+
 /// Description of a family for the parser; the geometry module supplies one for each family (geometry::catalogue()).
 struct FamilyKeys {
     std::string name;
@@ -69,7 +76,8 @@ struct FamilyKeys {
     /// A design is axisymmetric only if its family has the model axisymmetric. If faces_of_file is set, the design must select that
     /// model. Otherwise it is axisymmetric if this key of `geometry`, a length, is not 0, or always if the key is empty.
     std::string revolution_key = {};
-    bool has_face_rules = false;  ///< whether `geometry.faces` is a group of keys; only with faces_of_file
+    bool has_face_rules = false;               ///< whether `geometry.faces` is a group of keys; only with faces_of_file
+    std::vector<ObstacleKeys> obstacles = {};  ///< the shapes that obstacles may have, the same for all families
 };
 
 struct Override {
@@ -96,14 +104,21 @@ struct Design {
         model::TimeFunction time_function = {};
     };
     std::vector<DeadLoadRequest> dead_loads;
-    /// Prescribed displacement component of a face; along: axis | x | y | z | r | normal
+    /// Prescribed displacement of an obstacle, or of a component of a face; along: axis | x | y | z | r | normal
     struct MotionRequest {
-        std::string face;
+        std::string face;  ///< or the name of an obstacle
         double displacement_m;
         std::string along;
     };
     std::vector<MotionRequest> motions;
-    /// along: axis | x | y | z | r | normal; `reference` is used by a bend only
+    /// Its dimensions are in `values`, below "obstacles.<name>".
+    struct ObstacleRequest {
+        std::string name;
+        std::string shape;  ///< "plane"
+    };
+    std::vector<ObstacleRequest> obstacles;
+    model::ContactSettings contact;
+    /// along: axis | x | y | z | r | normal, or empty; `reference` is used by a bend only
     struct OutputRequest {
         std::string name;
         std::string face;
@@ -111,6 +126,7 @@ struct Design {
         model::Measure measure = model::Measure::displacement;
         std::string reference = {};
         std::vector<double> point_m = {};  ///< two or three model coordinates; replaces the face
+        std::string obstacle = {};         ///< or model::self_contact; replaces the face
     };
     std::vector<OutputRequest> outputs;
     model::PathSettings path;
@@ -133,7 +149,7 @@ struct Design {
 inline constexpr std::string_view main_region = "rubber";
 
 /// Reads the effective design of a case. `built`: faces and cavities of its mesh, so that the file of a shape is not read again.
-/// `overrides` are those of solve: they may change material, materials, loads, path, dynamics and solver. Throws Error (usage) for
+/// `overrides` are those of solve: they may change material, materials, loads, contact, path, dynamics and solver. Throws Error (usage) for
 /// the sections that are built into the mesh.
 [[nodiscard]] Design read_built_design(std::string_view effective_yaml, std::string_view source,
                                        std::span<const FamilyKeys> families, std::span<const Override> overrides,

@@ -22,8 +22,8 @@ std::string annotated(std::span<const Item> items, auto&& note_of) {
         stages->note = "in the order written; a load is 0 until a stage names it and then keeps its value";
     std::vector<std::string> ends = until_quantities();
     for (const Item& item : items)
-        if (item.key.path.starts_with("outputs.") && item.key.path.ends_with(".face"))
-            ends.insert(ends.begin(), item.key.path.substr(8, item.key.path.size() - 8 - 5));
+        if (item.key.path.starts_with("outputs.") && item.key.path.ends_with(".measure"))
+            ends.insert(ends.begin(), item.key.path.substr(8, item.key.path.size() - 8 - 8));
     find_path(root, "path.until")->note =
         "the path, or each of its stages, also ends at the first of these: " + core::join(ends);
     return write_yaml(root, note_column);

@@ -12,6 +12,7 @@
 #include "design/markdown.hpp"
 #include "design/material_library.hpp"
 #include "design/materials.hpp"
+#include "design/obstacles.hpp"
 #include "design/path.hpp"
 #include "design/solver_keys.hpp"
 #include "design/time_function_keys.hpp"
@@ -124,7 +125,10 @@ Keys support_section_keys() {
 
 /// Path of a load in the tables.
 std::string load_path(const std::string& section, LoadTarget target) {
-    return section + (target == LoadTarget::cavity ? ".CAVITY" : target == LoadTarget::face ? ".FACE" : ".gravity");
+    return section + (target == LoadTarget::cavity     ? ".CAVITY"
+                      : target == LoadTarget::face     ? ".FACE"
+                      : target == LoadTarget::obstacle ? ".OBSTACLE"
+                                                       : ".gravity");
 }
 
 /// The keys with the magnitude of the loads below `section`.
@@ -168,8 +172,18 @@ Keys path_section_keys() {
 }
 
 Keys output_section_keys() {
-    return {output_face_key("OUTPUT"), output_point_key("OUTPUT"), output_measure_key("OUTPUT"),
-            output_reference_key("OUTPUT"), output_along_key("OUTPUT", "axis")};
+    return {output_face_key("OUTPUT"),
+            output_point_key("OUTPUT"),
+            output_obstacle_key("OUTPUT", {"OBSTACLE", std::string{model::self_contact}}),
+            output_measure_key("OUTPUT", model::MeasuredObject::face_or_obstacle),
+            output_reference_key("OUTPUT"),
+            output_along_key("OUTPUT", "axis")};
+}
+
+Keys obstacle_section_keys(std::span<const ObstacleKeys> shapes) {
+    Keys keys;
+    for (const ObstacleKeys& shape : shapes) append_keys(keys, obstacle_keys("OBSTACLE", shape));
+    return keys;
 }
 
 /// The keys of `geometry`, `mesh`, `model` and `names`.
@@ -239,10 +253,15 @@ std::string key_list(std::span<const FamilyKeys> families) {
     text += key_section("loads",
                         "A cavity has one of the first five keys or `shares`; a face has one of `" +
                             core::join(words_of(LoadTarget::face), "`, `") +
-                            "`. `time_function` and `line` need `dynamics.duration`.",
+                            "`; an obstacle has `displacement`. `time_function` and `line` need `dynamics.duration`.",
                         rows_of(load_section_keys()));
+    if (!families.empty())
+        text += key_section("obstacles", "An obstacle has one shape: the keys of one of these groups.",
+                            rows_of(obstacle_section_keys(families.front().obstacles)));
+    text += key_section("contact", "", rows_of(contact_keys()));
     text += key_section("path", "", rows_of(path_section_keys()));
-    text += key_section("outputs", "An output has a `face` or a `point`.", rows_of(output_section_keys()));
+    text +=
+        key_section("outputs", "An output has a `face`, a `point` or an `obstacle`.", rows_of(output_section_keys()));
     text +=
         key_section("dynamics", "A dynamic path needs `duration`, and `material.density`.", rows_of(dynamics_keys()));
     text += key_section("solver", "", rows_of(solver_keys()));

@@ -94,7 +94,14 @@ std::vector<LoadForm> other_forms() {
              .example = "9.81 m/s^2",
              .along = choice_key("along", "", {"x", "y", "z", "axis", "-x", "-y", "-z", "-axis"},
                                  "direction of gravity; axis is the direction in which the actuator gets longer"),
-             .dead_load = DeadLoadKind::gravity}};
+             .dead_load = DeadLoadKind::gravity},
+            {.target = LoadTarget::obstacle,
+             .kind = motion,
+             .magnitude = value_key("displacement", Kind::length, {},
+                                    "prescribed displacement of the obstacle @; it does not rotate"),
+             .example = "5 mm",
+             .along = choice_key("along", "", obstacle_directions(), "direction of the displacement of an obstacle"),
+             .takes_time_function = false}};
 }
 
 Settings<Gas> gas_settings() {

@@ -14,7 +14,7 @@
 namespace soft::design {
 
 /// What a load acts on.
-enum class LoadTarget { cavity, face, gravity };
+enum class LoadTarget { cavity, face, gravity, obstacle };
 
 /// How a load is converted: the list of the case that it belongs to.
 enum class LoadKind { gas, shared_gas, face_pressure, dead_load, motion };

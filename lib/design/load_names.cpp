@@ -37,6 +37,8 @@ std::vector<NamedLoad> named_loads(const Node& root, const std::string& section,
             loads.push_back({path, face, LoadTarget::face, &member});
         } else if (member.key == gravity_name) {
             loads.push_back({path, std::string{gravity_name}, LoadTarget::gravity, &member});
+        } else if (std::ranges::find(faces.obstacles, member.key) != faces.obstacles.end()) {
+            loads.push_back({path, member.key, LoadTarget::obstacle, &member});
         }
     }
     return loads;
@@ -52,6 +54,7 @@ void add_load_names(Schema& schema, const std::string& section) {
     }
     for (const std::string& name : all_names(faces))
         if (!is_cavity(faces, resolve_face(faces, name))) names.push_back(name);
+    names.insert(names.end(), faces.obstacles.begin(), faces.obstacles.end());
     names.emplace_back(gravity_name);
     schema.names[section] = std::move(names);
 }

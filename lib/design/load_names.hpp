@@ -1,6 +1,6 @@
 #pragma once
-/// Resolves the keys under `loads` to a cavity (`cavity` if there is only one, otherwise by name under `cavities`), gravity or a
-/// face. Private to the module. Tested by design/load_test, design/cavity_test.
+/// Resolves the keys under `loads` to a cavity (`cavity` if there is only one, otherwise by name under `cavities`), gravity, a face
+/// or an obstacle. Private to the module. Tested by design/load_test, design/cavity_test.
 #include <span>
 #include <string>
 #include <vector>
@@ -17,7 +17,7 @@ inline constexpr std::string_view gravity_name = "gravity";
 
 struct NamedLoad {
     std::string path;  ///< "loads.cavities.left"
-    std::string name;  ///< resolved name of the cavity or face, or "gravity"
+    std::string name;  ///< resolved name of the cavity or face, of the obstacle, or "gravity"
     LoadTarget target;
     const Member* member;
 };

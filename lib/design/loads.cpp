@@ -85,6 +85,8 @@ void refuse_foreign_keys(const NamedLoad& load, const LoadForm& form) {
         refuse_keys(load, {of_gas, "a face encloses no gas", "write pressure; only a cavity takes this"});
         refuse_keys(load, {{"sealed", "plug_thrust"}, "a face has no openings to seal", "leave it out"});
     }
+    if (load.target == LoadTarget::obstacle)
+        refuse_keys(load, {{"pressure", "traction", "force"}, "an obstacle is moved", "write displacement"});
     if (form.kind == LoadKind::face_pressure)
         refuse_keys(load, {{"along"}, normal, "leave it out, or write traction in place of pressure"});
 }
@@ -157,7 +159,10 @@ LoadSlot add_load(const LoadEntry& entry, double value, Loads& loads, const Valu
                                         time_function_of(values, entry.path)});
             return {entry.form, loads.dead_loads.size() - 1, value};
         case LoadKind::motion:
-            check_direction(values, entry.path + ".along");
+            if (entry.form->target == LoadTarget::obstacle)
+                check_obstacle_direction(values, entry.path + ".along");
+            else
+                check_direction(values, entry.path + ".along");
             loads.motions.push_back({entry.name, value, values.text(entry.path + ".along")});
             return {entry.form, loads.motions.size() - 1, value};
     }

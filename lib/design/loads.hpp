@@ -1,5 +1,6 @@
 #pragma once
-/// The loads of a design: gas in a cavity; pressure, dead traction or prescribed displacement of a face; gravity.
+/// The loads of a design: gas in a cavity; pressure, dead traction or prescribed displacement of a face; displacement of an obstacle;
+/// gravity.
 /// Private to the module. Tested by design/load_test, design/cavity_test.
 #include <span>
 #include <string>
@@ -17,7 +18,7 @@ namespace soft::design {
 struct LoadEntry {
     std::string path;        ///< "loads.cavity", "loads.cavities.left", "path.stages.vent.loads.cavity"
     std::string location;    ///< of its key
-    std::string name;        ///< resolved name of the cavity or face, or "gravity"
+    std::string name;        ///< resolved name of the cavity or face, of the obstacle, or "gravity"
     std::string value = {};  ///< path of the key with the magnitude: "loads.cavity.pressure"
     const LoadForm* form = nullptr;
 };

@@ -115,8 +115,10 @@ const Settings<model::PathSettings>& path_settings() {
             "at a bifurcation: stay on the primary branch, or follow the other branch from the first bifurcation on"),
         in_unit("mm", quantity("imperfection", &Path::imperfection_m, Kind::length, above(0),
                                "amplitude of the perturbation onto a followed branch, as its largest displacement")),
-        choice("contact", &Path::contact, {{"stop", Contact::stop}, {"ignore", Contact::ignore}},
-               "at self-contact of the walls: stop the path, or ignore it and let the walls penetrate"),
+        choice("contact", &Path::contact,
+               {{"solve", Contact::solve}, {"stop", Contact::stop}, {"ignore", Contact::ignore}},
+               "where walls of the actuator touch each other: solve for the contact forces, stop the path, or ignore "
+               "the contact and let the walls penetrate; obstacles are respected in any case"),
         number("stretch_limit", &Path::stretch_limit, above(1),
                "stretch, exceeded in 1 % of the rubber, at which a load that cannot be reached is abandoned"),
         count("frequencies", &Path::frequencies, {0, model::max_frequencies},

@@ -7,6 +7,7 @@
 #include "design/load_names.hpp"
 #include "design/material_library.hpp"
 #include "design/materials.hpp"
+#include "design/obstacles.hpp"
 #include "design/read_parts.hpp"
 #include "design/solver_keys.hpp"
 
@@ -230,6 +231,7 @@ Checked check_design(Node root, std::string_view source, const FamilyKeys& famil
     append(schema.keys, model_keys(family));
     append(schema.keys, name_keys(family));
     add_support_keys(schema, root);
+    add_obstacle_keys(schema, root, family.obstacles);
     checked.loads = add_load_keys(schema, root, defaults, source, examples);
     checked.stages = add_path_keys(schema, root, checked.loads);
     add_output_keys(schema, root, defaults);
@@ -260,6 +262,8 @@ Design design_of(const Checked& checked, const FamilyKeys& family) {
     check_formulation(design.values);
     check_law_formulation(design.values, design.material);
     for (const auto& [name, material] : design.materials) check_law_formulation(design.values, material);
+    design.contact = contact_of(design.values);
+    design.obstacles = obstacles_of(checked.items, family.obstacles, design.values);
     Loads loads = loads_of(checked.loads, design.values);
     const bool has_formulation = design.values.has("mesh.formulation");
     design.dynamics = dynamics_of(

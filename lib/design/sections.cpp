@@ -9,6 +9,8 @@
 namespace soft::design {
 namespace {
 
+using model::MeasuredObject;
+
 void check_output_name(const Member& output) {
     if (!is_valid_name(output.key))
         refuse(output.location, "outputs." + output.key, "not a name of an output", valid_name_rule);
@@ -60,6 +62,31 @@ void check_axis(const Values& values, const std::string& output) {
     if (along == "r") throw values.refuse(output + ".along", "r is not an axis of rotation", "use axis, x, y or z");
 }
 
+/// Rejects keys that an output of an obstacle does not have.
+void refuse_with_obstacle(const Member& output, const model::MeasureInfo* info) {
+    const std::string path = "outputs." + output.key;
+    for (const char* other : {"face", "point"})
+        if (const Member* member = find_member(output.value, other))
+            refuse(member->location, path + "." + other, "the output has an obstacle already",
+                   "give a face, a point or an obstacle");
+    const Member* along = find_member(output.value, "along");
+    if (along != nullptr && info != nullptr && info->along == model::Along::none)
+        refuse(along->location, path + ".along", "this measure has no direction", "leave it out");
+}
+
+/// Adds the keys of an output of an obstacle.
+void add_contact_output_keys(Schema& schema, const Member& output, const model::MeasureInfo* info) {
+    refuse_with_obstacle(output, info);
+    std::vector<std::string> obstacles = schema.faces.obstacles;
+    obstacles.emplace_back(model::self_contact);
+    schema.keys.push_back(output_obstacle_key(output.key, std::move(obstacles)));
+    schema.keys.push_back(output_measure_key(output.key, MeasuredObject::obstacle, info));
+    if (info != nullptr && info->along == model::Along::none) return;
+    Key along = output_along_key(output.key, "axis");
+    along.choices = obstacle_directions();
+    schema.keys.push_back(std::move(along));
+}
+
 /// Rejects keys of an output that only a face can have.
 void refuse_with_point(const Member& output) {
     const std::string path = "outputs." + output.key;
@@ -87,6 +114,21 @@ std::vector<double> point_of(const Item& item, const Values& values) {
             : model == "axisymmetric" ? "[x, r], such as [10 mm, 0 mm]"
                                       : "[x, y], such as [10 mm, 0 mm]");
     return point_m;
+}
+
+/// A force on an obstacle, or an area or a pressure of contact.
+void check_contact_measure(const Values& values, const Design::OutputRequest& output) {
+    const std::string path = "outputs." + output.name;
+    if (output.obstacle != model::self_contact) {
+        if (output.measure == model::Measure::force) check_obstacle_direction(values, path + ".along");
+        return;
+    }
+    if (output.measure == model::Measure::force)
+        throw values.refuse(path + ".measure", "the forces of self-contact cancel each other",
+                            "use area or pressure, or name an obstacle");
+    if (values.text("contact.self") == "false")
+        throw values.refuse(path + ".obstacle", "contact.self is false, so there is no self-contact",
+                            "use contact: {self: true}");
 }
 
 void check_measure(const Values& values, const std::string& output, const model::MeasureInfo& measure) {
@@ -131,6 +173,14 @@ void check_direction(const Values& values, const std::string& path) {
         throw values.refuse(path, "a plane strain model has the directions x and y", "use axis, x, y or normal");
 }
 
+void check_obstacle_direction(const Values& values, const std::string& path) {
+    const std::string &model = values.text("model"), &along = values.text(path);
+    if (model == "axisymmetric" && along != "axis" && along != "x")
+        throw values.refuse(path, "an obstacle of an axisymmetric model has the direction x", "use axis or x");
+    if (model == "plane-strain" && along == "z")
+        throw values.refuse(path, "a plane strain model has the directions x and y", "use axis, x or y");
+}
+
 void add_support_keys(Schema& schema, const Node& root) {
     const auto& components = support_components();
     schema.names["supports"] = components;
@@ -148,11 +198,19 @@ void add_output_keys(Schema& schema, const Node& root, const Node& defaults) {
     for (const Member& output : members_of(root, "outputs")) {
         check_output_name(output);
         const Node* measure = find(output.value, "measure");
+        const model::MeasureInfo* info = find_measure(measure == nullptr ? "displacement" : measure->text);
+        if (find(output.value, "obstacle") != nullptr) {
+            add_contact_output_keys(schema, output, info);
+            continue;
+        }
         const bool is_point = find(output.value, "point") != nullptr;
         if (is_point) refuse_with_point(output);
         schema.keys.push_back(is_point ? output_point_key(output.key) : output_face_key(output.key));
-        const model::MeasureInfo* info = find_measure(measure == nullptr ? "displacement" : measure->text);
-        schema.keys.push_back(output_measure_key(output.key, info));
+        if (info != nullptr && info->object == MeasuredObject::obstacle)
+            refuse(
+                measure->location, "outputs." + output.key + ".measure", "only contact has this measure",
+                "write obstacle: NAME, or obstacle: self, in place of the " + std::string{is_point ? "point" : "face"});
+        schema.keys.push_back(output_measure_key(output.key, MeasuredObject::face, info));
         const bool bend = measure != nullptr && measure->text == "bend";
         if (bend) schema.keys.push_back(output_reference_key(output.key));
         if (const Member* reference = find_member(output.value, "reference"); reference != nullptr && !bend)
@@ -187,9 +245,19 @@ std::vector<Design::OutputRequest> outputs_of(std::span<const Item> items, const
     std::vector<Design::OutputRequest> outputs;
     for (const Item& item : items) {
         const std::string at_point = name_between(item.key.path, "outputs.", ".point");
-        const std::string name = at_point.empty() ? name_between(item.key.path, "outputs.", ".face") : at_point;
+        const std::string of_obstacle = name_between(item.key.path, "outputs.", ".obstacle");
+        const std::string name = !at_point.empty()      ? at_point
+                                 : !of_obstacle.empty() ? of_obstacle
+                                                        : name_between(item.key.path, "outputs.", ".face");
         if (name.empty()) continue;
         const model::MeasureInfo& measure = *find_measure(values.text("outputs." + name + ".measure"));
+        if (!of_obstacle.empty()) {
+            const bool directed = measure.along != model::Along::none;
+            outputs.push_back({name, "", directed ? values.text("outputs." + name + ".along") : "", measure.measure});
+            outputs.back().obstacle = item.entry.text;
+            check_contact_measure(values, outputs.back());
+            continue;
+        }
         Design::OutputRequest output{name,
                                      at_point.empty() ? single_face(item, faces, values) : "",
                                      values.text("outputs." + name + ".along"),

@@ -29,5 +29,7 @@ void add_output_keys(Schema& schema, const Node& root, const Node& defaults);
 [[nodiscard]] std::string name_between(const std::string& path, std::string_view prefix, std::string_view suffix);
 /// Rejects a direction (axis | x | y | z | r | normal; gravity also with a minus) that the coordinates of the model do not have.
 void check_direction(const Values& values, const std::string& path);
+/// The same for the direction (axis | x | y | z) of an obstacle.
+void check_obstacle_direction(const Values& values, const std::string& path);
 
 }  // namespace soft::design

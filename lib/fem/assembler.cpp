@@ -35,7 +35,7 @@ void reduce(Evaluation& result, const Discretization& fe) {
 }  // namespace
 
 Evaluation Assembler::evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::span<const LoadColumn> columns) {
-    const linalg::ScopedTimer timed(K != nullptr ? linalg::Phase::tangent : linalg::Phase::residual);
+    std::optional<linalg::ScopedTimer> timed(K != nullptr ? linalg::Phase::tangent : linalg::Phase::residual);
     state_.prescribe(levels);
     state_.read(x);
     SOFT_PETSC(VecSetOption(R, VEC_IGNORE_NEGATIVE_INDICES, PETSC_TRUE));  // R may be created by a PETSc solver
@@ -54,10 +54,17 @@ Evaluation Assembler::evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, st
     reduce(result, fe_);
     for (std::size_t load = 0; load < loads_.pressures.size(); ++load) add_pressures(load, to);
     tangent.reset();
+    timed.reset();
+    add_contact(to, K);
+    timed.emplace(K != nullptr ? linalg::Phase::tangent : linalg::Phase::residual);
     linalg::assemble(R);
     for (const auto& column : columns) linalg::assemble(column.out);
     add_dead_loads(to);
-    if (K != nullptr) linalg::assemble(K);
+    if (K == nullptr) return result;
+    PetscObjectState before = indices_.state, after = before;
+    linalg::assemble(K);
+    SOFT_PETSC(MatGetNonzeroState(K, &after));
+    result.pattern_grew = after != before;
     return result;
 }
 
@@ -167,6 +174,20 @@ void Assembler::add_dead_loads(const Targets& to) const {
     }
 }
 
+void Assembler::add_contact(const Targets& to, Mat K) const {
+    const linalg::ScopedTimer timed(linalg::Phase::contact);
+    const auto wanted = K != nullptr ? contact::Wanted::hessian : contact::Wanted::gradient;
+    if (K != nullptr) SOFT_PETSC(MatSetOption(K, MAT_NEW_NONZERO_ALLOCATION_ERR, PETSC_FALSE));
+    const auto add = [&](std::span<const PetscInt> dofs, const contact::Block& block) {
+        const auto size = static_cast<PetscInt>(dofs.size());
+        SOFT_PETSC(VecSetValues(to.R, size, dofs.data(), block.gradient.data(), ADD_VALUES));
+        if (K == nullptr) return;
+        SOFT_PETSC(MatSetValues(K, size, dofs.data(), size, dofs.data(), block.hessian.data(), ADD_VALUES));
+        for (const auto& column : to.columns) subtract_moved(column, dofs, block.hessian);
+    };
+    contact_.evaluate(wanted, add);
+}
+
 double Assembler::load_power(Vec x, Vec velocity, const LoadLevels& levels, const LoadLevels& rates) {
     const linalg::ScopedTimer timed(linalg::Phase::measures);
     state_.prescribe(levels);
@@ -179,6 +200,13 @@ double Assembler::load_power(Vec x, Vec velocity, const LoadLevels& levels, cons
     return motion_power(rates) - linalg::dot(force, velocity);
 }
 
+double Assembler::power_of(std::span<const PetscInt> dofs, std::span<const double> force,
+                           const LoadLevels& rates) const {
+    double power = 0;
+    for (std::size_t k = 0; k < dofs.size(); ++k) power += force[k] * velocity_of(dofs[k], rates);
+    return power;
+}
+
 double Assembler::motion_power(const LoadLevels& rates) const {
     double power = 0;
     const bool moving = std::ranges::any_of(rates.motions, [](double rate) { return rate != 0.0; });
@@ -189,9 +217,13 @@ double Assembler::motion_power(const LoadLevels& rates) const {
             const auto dofs = group.dofs_of(c);
             if (std::ranges::none_of(dofs, [](PetscInt dof) { return motion_slot(dof) >= 0; })) continue;
             integrate(fe_, state_, group, c, material::Wanted::stress, cell);
-            for (std::size_t k = 0; k < dofs.size(); ++k) power += cell.out.residual[k] * velocity_of(dofs[k], rates);
+            power += power_of(dofs, cell.out.residual, rates);
         }
     }
+    if (moving)
+        contact_.evaluate(contact::Wanted::gradient, [&](std::span<const PetscInt> dofs, const contact::Block& block) {
+            power += power_of(dofs, block.gradient, rates);
+        });
     MPI_Allreduce(MPI_IN_PLACE, &power, 1, MPI_DOUBLE, MPI_SUM, fe_.comm);
     return power;
 }

@@ -1,6 +1,6 @@
 #pragma once
 /// Assembles the equilibrium on the free unknowns x = (displacements, scaled pressures) under given load levels:
-///   R(x, levels) = internal forces - sum over the loads of level x force(x),    K = dR/dx,
+///   R(x, levels) = internal forces + contact forces - sum over the loads of level x force(x),    K = dR/dx,
 /// with pressure x force per unit pressure for the pressure loads, nodal forces of the dead loads, and
 /// prescribed displacements as values of the nodes of the cells (and facets) that they move. Collective over the communicator.
 /// Tested by fem/system_test, fem/loads_test (Taylor remainders, rank independence) and the verification suite.
@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "fem/contact.hpp"
 #include "fem/loads.hpp"
 #include "fem/local_state.hpp"
 #include "linalg/block_entries.hpp"
@@ -19,6 +20,7 @@ struct Evaluation {
     double min_jacobian = 1;      ///< smallest det F over all quadrature points
     mesh::Index worst_cell = -1;  ///< cell where it occurs
     double force_scale = 0;       ///< root of the sum of squares of all cells' nodal forces, before they cancel
+    bool pattern_grew = false;    ///< contact has added entries to the pattern of K
     [[nodiscard]] bool admissible() const noexcept { return min_jacobian > 0.0; }
 };
 
@@ -30,12 +32,12 @@ struct LoadColumn {
 
 class Assembler {
 public:
-    /// All three must outlive this object.
-    Assembler(const Discretization& fe, const Loads& loads, LocalState& state)
-        : fe_(fe), loads_(loads), state_(state) {}
+    /// All four must outlive this object.
+    Assembler(const Discretization& fe, const Loads& loads, Contact& contact, LocalState& state)
+        : fe_(fe), loads_(loads), contact_(contact), state_(state) {}
 
     /// Fills R and the columns, and with K also the tangent (required by columns that move a face). Prescribes the levels' motions.
-    /// If the result is not admissible they are incomplete.
+    /// If the result is not admissible they are incomplete. Contact may add entries to the pattern of K.
     Evaluation evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::span<const LoadColumn> columns = {});
 
     /// Power of the loads on the modelled part [W], in the time unit of `velocity` of the unknowns and `rates`
@@ -61,14 +63,18 @@ private:
     void add_cells(std::size_t group, const Targets& to, Evaluation& result) const;
     void add_pressures(std::size_t load, const Targets& to) const;
     void add_dead_loads(const Targets& to) const;
+    void add_contact(const Targets& to, Mat K) const;
     /// column -= matrix x (velocity of the prescribed components), for one cell or facet.
     void subtract_moved(const LoadColumn& column, std::span<const PetscInt> dofs, std::span<const double> matrix) const;
     /// Power of the forces that move prescribed components.
     [[nodiscard]] double motion_power(const LoadLevels& rates) const;
+    [[nodiscard]] double power_of(std::span<const PetscInt> dofs, std::span<const double> force,
+                                  const LoadLevels& rates) const;
     [[nodiscard]] double velocity_of(PetscInt dof, const LoadLevels& rates) const;
 
     const Discretization& fe_;
     const Loads& loads_;
+    Contact& contact_;
     LocalState& state_;
     MatrixIndices indices_;
 };

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "core/error.hpp"
-#include "fem/pattern.hpp"
 
 namespace soft::fem {
 
@@ -93,8 +92,6 @@ linalg::Vector Discretization::make_vector() const {
     SOFT_PETSC(VecZeroEntries(vector));
     return vector;
 }
-
-linalg::Matrix Discretization::make_matrix() const { return make_zero_matrix(input.mesh, dofs, references, comm); }
 
 linalg::Vector Discretization::make_vector(const SparseVector& entries) const {
     linalg::Vector vector = make_vector();

@@ -47,7 +47,6 @@ struct Discretization {
     std::vector<CellGroup> groups;  ///< this rank's cells
 
     [[nodiscard]] linalg::Vector make_vector() const;  ///< of unknowns, zero
-    [[nodiscard]] linalg::Matrix make_matrix() const;  ///< zero, with the pattern of unknowns that share a cell
     [[nodiscard]] linalg::Vector make_vector(const SparseVector& entries) const;
     /// Change of a prescribed component per level of its motion; 0 for any other index.
     [[nodiscard]] double moved_by(PetscInt dof) const;

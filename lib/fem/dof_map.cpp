@@ -33,6 +33,7 @@ std::vector<PetscInt> fixed_components(const model::Case& input) {
         });
     for (std::size_t m = 0; m < input.motions.size(); ++m) {
         const auto& motion = input.motions[m];
+        if (model::moves_obstacle(input, motion)) continue;
         const std::string key = "loads." + motion.face;
         for_each_node(mesh, motion.face, key, [&](mesh::Index node) {
             for (int i = 0; i < mesh.dimension; ++i) {

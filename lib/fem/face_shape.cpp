@@ -149,7 +149,9 @@ double value_of(const FaceShape& shape, const Points& x, Points* gradient) {
         case model::Measure::bend:
         case model::Measure::twist:
         case model::Measure::force:
-        case model::Measure::moment: break;
+        case model::Measure::moment:
+        case model::Measure::contact_area:
+        case model::Measure::contact_pressure: break;
     }
     return std::nan("");
 }

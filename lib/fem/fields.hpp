@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "fem/contact.hpp"
 #include "fem/local_state.hpp"
 
 namespace soft::fem {
@@ -14,7 +15,7 @@ struct StretchSummary {
     double largest = 1;
     double min_jacobian = 1;
     Vector3 max_at_m{};          ///< undeformed position of the largest stretch; x, r, 0 in a section
-    double stored_energy_J = 0;  ///< of the modelled part
+    double stored_energy_J = 0;  ///< of the modelled part, with that of the contact
     double max_energy_J_m3 = 0;  ///< per undeformed volume, at an integration point
 };
 
@@ -27,7 +28,7 @@ struct NodalFields {
 class Fields {
 public:
     /// Both must outlive this object.
-    Fields(const Discretization& fe, LocalState& state) : fe_(fe), state_(state) {}
+    Fields(const Discretization& fe, Contact& contact, LocalState& state) : fe_(fe), contact_(contact), state_(state) {}
 
     /// Energy stored in the rubber of the modelled part [J]. Collective, as all members.
     [[nodiscard]] double stored_energy(Vec x);
@@ -41,6 +42,7 @@ public:
 
 private:
     const Discretization& fe_;
+    Contact& contact_;
     LocalState& state_;
 };
 

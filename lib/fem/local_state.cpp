@@ -8,7 +8,7 @@ namespace soft::fem {
 namespace {
 
 /// The unknowns that this rank reads, ascending. Rims and the outputs of whole faces, which rank 0 evaluates, reach beyond its cells.
-std::vector<PetscInt> unknowns_read(const Discretization& fe) {
+std::vector<PetscInt> unknowns_read(const Discretization& fe, std::span<const mesh::Index> nodes) {
     std::vector<char> wanted(static_cast<std::size_t>(fe.dofs.total), 0);
     const auto mark = [&](std::span<const PetscInt> dofs) {
         for (const PetscInt dof : dofs)
@@ -16,6 +16,8 @@ std::vector<PetscInt> unknowns_read(const Discretization& fe) {
     };
     for (const auto& group : fe.groups) mark(group.dofs);
     std::vector<PetscInt> dofs;
+    fe.dofs.node_dofs(nodes, dofs);
+    mark(dofs);
     if (fe.rank == 0)
         for (const auto& [name, facets] : fe.input.mesh.facet_sets)
             for (const auto& facet : facets) {
@@ -30,12 +32,12 @@ std::vector<PetscInt> unknowns_read(const Discretization& fe) {
 
 }  // namespace
 
-LocalState::LocalState(const Discretization& fe)
+LocalState::LocalState(const Discretization& fe, std::span<const mesh::Index> nodes)
     : fe_(fe),
       levels_(no_loads(fe.input)),
       first_(1 + 3 * static_cast<PetscInt>(fe.input.motions.size())),
       values_(static_cast<std::size_t>(first_ + fe.dofs.total), 0.0) {
-    const auto dofs = unknowns_read(fe);
+    const auto dofs = unknowns_read(fe, nodes);
     linalg::IndexSet wanted;
     SOFT_PETSC(ISCreateGeneral(PETSC_COMM_SELF, static_cast<PetscInt>(dofs.size()), dofs.data(), PETSC_COPY_VALUES,
                                wanted.out()));

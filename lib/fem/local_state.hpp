@@ -13,8 +13,9 @@ namespace soft::fem {
 
 class LocalState {
 public:
-    /// Reads the unknowns of this rank's cells; rank 0 also those of all named faces. The discretization must outlive this object.
-    explicit LocalState(const Discretization& fe);
+    /// Reads the unknowns of this rank's cells and of `nodes`; rank 0 also those of all named faces. The discretization must outlive this
+    /// object.
+    LocalState(const Discretization& fe, std::span<const mesh::Index> nodes);
 
     /// Sets the values of the prescribed components.
     void prescribe(const LoadLevels& levels);

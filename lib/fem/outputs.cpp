@@ -8,8 +8,8 @@
 
 namespace soft::fem {
 
-Outputs::Outputs(const Discretization& fe, const Loads& loads, LocalState& state)
-    : fe_(fe), loads_(loads), state_(state) {
+Outputs::Outputs(const Discretization& fe, const Loads& loads, Contact& contact, LocalState& state)
+    : fe_(fe), loads_(loads), contact_(contact), state_(state) {
     for (const auto& output : fe.input.outputs) forms_.push_back(make(output));
 }
 
@@ -20,6 +20,7 @@ Outputs::Form Outputs::make(const model::Output& output) const {
             throw Error(ExitCode::bad_input, "outputs." + output.name, "this measure is available only in solid models",
                         "use model: solid, half or quarter");
     };
+    if (!output.obstacle.empty()) return make_contact(output);
     switch (output.measure) {
         case model::Measure::displacement: return make_mean(output, output.direction);
         case model::Measure::radial:
@@ -32,7 +33,9 @@ Outputs::Form Outputs::make(const model::Output& output) const {
         case model::Measure::rotation:
         case model::Measure::curvature: require(solid); return make_whole_face(output);
         case model::Measure::force:
-        case model::Measure::moment: break;
+        case model::Measure::moment:
+        case model::Measure::contact_area:
+        case model::Measure::contact_pressure: break;
     }
     if (fe_.input.dynamics)
         throw Error(ExitCode::bad_input, "outputs." + output.name, "reactions are available only in static cases",
@@ -82,6 +85,10 @@ double Outputs::value(std::size_t index, Vec x, Vec gradient, LoadLevels* by_lev
     const Form& form = forms_.at(index);
     if (const auto* linear = std::get_if<Mean>(&form)) return mean(*linear, x, gradient, by_motion);
     state_.read(x);
+    if (const auto* of_contact = std::get_if<ContactMeasure>(&form)) {
+        Slopes slopes(fe_, gradient, by_motion);
+        return contact(*of_contact, slopes);
+    }
     if (const auto* of_face = std::get_if<Reaction>(&form)) return reaction(*of_face, gradient, by_levels);
     Slopes slopes(fe_, gradient, by_motion);
     const auto* angle = std::get_if<Rotation>(&form);
@@ -89,6 +96,39 @@ double Outputs::value(std::size_t index, Vec x, Vec gradient, LoadLevels* by_lev
         angle != nullptr ? value_of(*angle, fe_, state_, slopes) : shape(std::get<WholeFace>(form), slopes);
     slopes.finish();
     return value;
+}
+
+Outputs::ContactMeasure Outputs::make_contact(const model::Output& output) const {
+    const auto& obstacles = fe_.input.obstacles;
+    const auto known = std::ranges::find(obstacles, output.obstacle, &model::Obstacle::name);
+    ContactMeasure made{output.measure, static_cast<std::size_t>(known - obstacles.begin()), output.direction};
+    for (std::size_t i = 0; i < 3; ++i)
+        if (fe_.input.symmetry_planes[i]) made.direction[i] = 0;
+    return made;
+}
+
+double Outputs::contact(const ContactMeasure& output, Slopes& slopes) const {
+    double force = 0;
+    std::vector<double> slope;
+    const auto summary = contact_.evaluate(
+        slopes.wanted() ? contact::Wanted::hessian : contact::Wanted::gradient,
+        [&](std::span<const PetscInt> dofs, const contact::Block& block) {
+            if (output.measure != model::Measure::force || block.obstacle != static_cast<int>(output.obstacle)) return;
+            const std::size_t n = block.points(), size = dofs.size();
+            slope.assign(slopes.wanted() ? size : 0, 0.0);
+            for (std::size_t i = 0; i < block.dimension; ++i) {
+                const std::size_t row = i * n + n - 1;  // the obstacle's displacement
+                force -= output.direction[i] * block.gradient[row];
+                for (std::size_t j = 0; j < slope.size(); ++j)
+                    slope[j] -= output.direction[i] * block.hessian[row * size + j] / fe_.input.model_fraction;
+            }
+            if (slopes.wanted()) slopes.add(dofs, slope);
+        });
+    slopes.finish();
+    MPI_Allreduce(MPI_IN_PLACE, &force, 1, MPI_DOUBLE, MPI_SUM, fe_.comm);
+    if (output.measure == model::Measure::contact_pressure) return summary.pressure_Pa[output.obstacle];
+    return (output.measure == model::Measure::contact_area ? summary.area_m2[output.obstacle] : force) /
+           fe_.input.model_fraction;
 }
 
 double Outputs::mean(const Mean& output, Vec x, Vec gradient, std::span<double> by_motion) const {
@@ -122,7 +162,7 @@ double Outputs::shape(const WholeFace& output, Slopes& slopes) const {
 double Outputs::reaction(const Reaction& output, Vec gradient, LoadLevels* by_levels) const {
     std::vector<double> none;
     Slopes slopes(fe_, gradient, by_levels != nullptr ? by_levels->motions : none);
-    double value = output.copies * own_value(output, {fe_, loads_, state_}, slopes, by_levels);
+    double value = output.copies * own_value(output, {fe_, loads_, contact_, state_}, slopes, by_levels);
     MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_SUM, fe_.comm);
     slopes.finish();
     if (gradient != nullptr) SOFT_PETSC(VecScale(gradient, output.copies));

@@ -8,41 +8,49 @@ namespace {
 
 using mesh::Index;
 
-/// The cells of each of this rank's unknowns.
-struct CellsOfRows {
-    std::vector<std::size_t> begin;  // of each row, and one past the last
-    std::vector<Index> cells;
+/// Groups of unknowns that share entries: the cells of the mesh, then the couplings.
+struct Groups {
+    const mesh::Mesh& mesh;
+    const DofMap& map;
+    std::span<const ReferenceCell> references;
+    std::span<const std::vector<PetscInt>> couplings;
+
+    [[nodiscard]] Index count() const { return mesh.cell_count() + static_cast<Index>(couplings.size()); }
+    void read(Index group, std::vector<PetscInt>& dofs) const {
+        if (const Index cells = mesh.cell_count(); group >= cells)
+            dofs = couplings[static_cast<std::size_t>(group - cells)];
+        else
+            map.cell_dofs(mesh, group, reference_of(references, mesh.cell_type(group)), dofs);
+    }
 };
 
-/// Calls visit(cell, its unknowns) for every cell of the mesh.
-template <class Visit>
-void for_each_cell(const mesh::Mesh& mesh, const DofMap& map, std::span<const fem::ReferenceCell> references,
-                   Visit&& visit) {
-    std::vector<PetscInt> dofs;
-    for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
-        map.cell_dofs(mesh, cell, reference_of(references, mesh.cell_type(cell)), dofs);
-        visit(cell, dofs);
-    }
-}
+/// The groups of each of this rank's unknowns.
+struct GroupsOfRows {
+    std::vector<std::size_t> begin;  // of each row, and one past the last
+    std::vector<Index> groups;
+};
 
-CellsOfRows cells_of_rows(const mesh::Mesh& mesh, const DofMap& map, std::span<const fem::ReferenceCell> references) {
-    CellsOfRows rows;
+GroupsOfRows groups_of_rows(const Groups& all) {
+    const DofMap& map = all.map;
+    GroupsOfRows rows;
     rows.begin.assign(static_cast<std::size_t>(map.end - map.begin) + 2, 0);
+    std::vector<PetscInt> dofs;
     const auto for_each_own = [&](auto&& visit) {
-        for_each_cell(mesh, map, references, [&](Index cell, const std::vector<PetscInt>& dofs) {
+        for (Index group = 0; group < all.count(); ++group) {
+            all.read(group, dofs);
             for (const PetscInt dof : dofs)
-                if (dof >= map.begin && dof < map.end) visit(static_cast<std::size_t>(dof - map.begin), cell);
-        });
+                if (dof >= map.begin && dof < map.end) visit(static_cast<std::size_t>(dof - map.begin), group);
+        }
     };
     for_each_own([&](std::size_t row, Index) { ++rows.begin[row + 2]; });
     for (std::size_t r = 2; r < rows.begin.size(); ++r) rows.begin[r] += rows.begin[r - 1];
-    rows.cells.resize(rows.begin.back());
-    for_each_own([&](std::size_t row, Index cell) { rows.cells[rows.begin[row + 1]++] = cell; });
+    rows.groups.resize(rows.begin.back());
+    for_each_own([&](std::size_t row, Index group) { rows.groups[rows.begin[row + 1]++] = group; });
     rows.begin.pop_back();
     return rows;
 }
 
-/// The columns of this rank's rows, ascending. Neighbouring rows mostly have the same cells (the components of a node): their
+/// The columns of this rank's rows, ascending. Neighbouring rows mostly have the same groups (the components of a node): their
 /// columns are computed and stored once.
 struct Columns {
     std::vector<std::size_t> set_of;    // [row]
@@ -54,17 +62,17 @@ struct Columns {
     }
 };
 
-Columns columns_of(const mesh::Mesh& mesh, const DofMap& map, std::span<const fem::ReferenceCell> references) {
-    const CellsOfRows rows = cells_of_rows(mesh, map, references);
+Columns columns_of(const Groups& all) {
+    const GroupsOfRows rows = groups_of_rows(all);
     Columns found;
     std::vector<PetscInt> dofs;
-    std::vector<char> met(static_cast<std::size_t>(map.total), 0);
+    std::vector<char> met(static_cast<std::size_t>(all.map.total), 0);
     std::span<const Index> before;
     for (std::size_t row = 0; row + 1 < rows.begin.size(); ++row) {
-        const std::span<const Index> cells(&rows.cells[rows.begin[row]], rows.begin[row + 1] - rows.begin[row]);
-        if (row == 0 || !std::ranges::equal(cells, before)) {
-            for (const Index cell : cells) {
-                map.cell_dofs(mesh, cell, reference_of(references, mesh.cell_type(cell)), dofs);
+        const std::span<const Index> groups(&rows.groups[rows.begin[row]], rows.begin[row + 1] - rows.begin[row]);
+        if (row == 0 || !std::ranges::equal(groups, before)) {
+            for (const Index group : groups) {
+                all.read(group, dofs);
                 for (const PetscInt dof : dofs)
                     if (dof >= 0 && met[static_cast<std::size_t>(dof)] == 0) {
                         met[static_cast<std::size_t>(dof)] = 1;
@@ -75,7 +83,7 @@ Columns columns_of(const mesh::Mesh& mesh, const DofMap& map, std::span<const fe
             for (auto dof = own; dof != found.columns.end(); ++dof) met[static_cast<std::size_t>(*dof)] = 0;
             std::sort(own, found.columns.end());
             found.begin.push_back(found.columns.size());
-            before = cells;
+            before = groups;
         }
         found.set_of.push_back(found.begin.size() - 2);
     }
@@ -85,8 +93,9 @@ Columns columns_of(const mesh::Mesh& mesh, const DofMap& map, std::span<const fe
 }  // namespace
 
 linalg::Matrix make_zero_matrix(const mesh::Mesh& mesh, const DofMap& map,
-                                std::span<const fem::ReferenceCell> references, MPI_Comm comm) {
-    const Columns found = columns_of(mesh, map, references);
+                                std::span<const fem::ReferenceCell> references,
+                                std::span<const std::vector<PetscInt>> couplings, MPI_Comm comm) {
+    const Columns found = columns_of({mesh, map, references, couplings});
     const PetscInt own = map.end - map.begin;
     std::vector<PetscInt> here(static_cast<std::size_t>(own)), elsewhere(here.size());
     for (std::size_t row = 0; row < here.size(); ++row) {

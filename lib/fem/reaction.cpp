@@ -20,6 +20,7 @@ std::vector<ConstrainedFace> constrained_faces(const model::Case& input) {
     std::vector<ConstrainedFace> faces;
     for (const auto& support : input.supports) faces.push_back({support.face, support.fixed});
     for (const auto& motion : input.motions) {
+        if (model::moves_obstacle(input, motion)) continue;
         const auto& moved = motion.displacement_m;
         faces.push_back({motion.face, {moved[0].has_value(), moved[1].has_value(), moved[2].has_value()}});
     }
@@ -158,6 +159,25 @@ double pressure_reactions(const Reaction& reaction, const LoadedState& at, Slope
     return value;
 }
 
+double contact_reactions(const Reaction& reaction, const LoadedState& at, Slopes& slopes) {
+    double value = 0;
+    std::vector<double> x, slope;
+    at.contact.evaluate(
+        slopes.wanted() ? contact::Wanted::hessian : contact::Wanted::gradient,
+        [&](std::span<const PetscInt> dofs, const contact::Block& block) {
+            std::vector<mesh::Index> nodes = block.nodes;
+            if (block.obstacle >= 0) nodes.push_back(-1);
+            x.assign(dofs.size(), 0.0);
+            for (std::size_t i = 0; i < block.dimension; ++i)
+                for (std::size_t a = 0; a < block.nodes.size(); ++a)
+                    x[i * nodes.size() + a] = at.contact.position(block.nodes[a])[i];
+            slope.assign(slopes.wanted() ? dofs.size() : 0, 0.0);
+            value += add_share(reaction, {nodes, at.fe.dofs.dimension, x, block.gradient, block.hessian}, -1.0, slope);
+            if (slopes.wanted()) slopes.add(dofs, slope);
+        });
+    return value;
+}
+
 double dead_reactions(const Reaction& reaction, const LoadedState& at, Slopes& slopes, LoadLevels* by_levels) {
     if (at.fe.rank != 0) return 0;
     double value = 0;
@@ -228,8 +248,8 @@ Reaction make_reaction(const Discretization& fe, const Loads& loads, const model
 }
 
 double own_value(const Reaction& reaction, const LoadedState& at, Slopes& slopes, LoadLevels* by_levels) {
-    return cell_reactions(reaction, at, slopes) + pressure_reactions(reaction, at, slopes, by_levels) +
-           dead_reactions(reaction, at, slopes, by_levels);
+    return cell_reactions(reaction, at, slopes) + contact_reactions(reaction, at, slopes) +
+           pressure_reactions(reaction, at, slopes, by_levels) + dead_reactions(reaction, at, slopes, by_levels);
 }
 
 }  // namespace soft::fem

@@ -1,6 +1,6 @@
 #pragma once
 /// Force and moment that a face exerts on its supports or prescribed motions: the outputs `force` and `moment` (model::Measure).
-///   r_a = external - internal forces at node a, including those at constrained (fixed or prescribed) components; 0 at a free node
+///   r_a = external - internal - contact forces at node a, including those at constrained (fixed or prescribed) components; 0 at a free node
 ///   f_ai = s_ai r_ai: s = 1 in a component i that the face constrains, 1/k where k faces do so, 0 where only other faces do
 ///   force = n sum_a f_a . d,     moment = n sum_a ((x_a - c) x f_a) . d = n sum_a (d x (x_a - c)) . f_a
 /// over the nodes a of the face; d direction, x_a deformed position, c centroid of the undeformed whole face, n copies of the
@@ -9,6 +9,7 @@
 /// Derived here. Tested by fem/reaction_test and the verification suite (group Reactions).
 #include <vector>
 
+#include "fem/contact.hpp"
 #include "fem/loads.hpp"
 #include "fem/local_state.hpp"
 
@@ -34,6 +35,7 @@ struct Reaction {
 struct LoadedState {
     const Discretization& fe;
     const Loads& loads;
+    Contact& contact;
     const LocalState& state;
 };
 /// The force or moment; adds its derivatives by x and the motions to `slopes`, and by the other levels to `by_levels` (nullptr if not

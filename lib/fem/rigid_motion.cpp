@@ -127,8 +127,9 @@ std::optional<std::string> free_rigid_motion(const model::Case& input) {
     };
     for (const auto& support : input.supports) constrain(support.face, support.fixed);
     for (const auto& moving : input.motions)  // a prescribed displacement constrains like a support
-        constrain(moving.face, {moving.displacement_m[0].has_value(), moving.displacement_m[1].has_value(),
-                                moving.displacement_m[2].has_value()});
+        if (!model::moves_obstacle(input, moving))
+            constrain(moving.face, {moving.displacement_m[0].has_value(), moving.displacement_m[1].has_value(),
+                                    moving.displacement_m[2].has_value()});
     for (int part = 0; part < parts; ++part)
         if (const int free = free_mode(std::move(rows[part]), modes.size()); free >= 0) {
             std::string text = modes[free].name;

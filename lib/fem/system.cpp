@@ -2,16 +2,24 @@
 
 #include <algorithm>
 
+#include "fem/pattern.hpp"
+
 namespace soft::fem {
 
 System::System(const model::Case& input, MPI_Comm comm)
     : fe_(input, comm),
-      state_(fe_),
+      potential_(input, young_moduli_Pa(fe_)),
+      state_(fe_, potential_.is_empty() ? std::span<const mesh::Index>{} : potential_.nodes()),
       loads_(fe_),
-      assembler_(fe_, loads_, state_),
+      contact_(fe_, state_, potential_),
+      assembler_(fe_, loads_, contact_, state_),
       volumes_(fe_, state_),
-      outputs_(fe_, loads_, state_),
-      fields_(fe_, state_) {}
+      outputs_(fe_, loads_, contact_, state_),
+      fields_(fe_, contact_, state_) {}
+
+linalg::Matrix System::make_matrix() const {
+    return make_zero_matrix(fe_.input.mesh, fe_.dofs, fe_.references, contact_.couplings(), fe_.comm);
+}
 
 bool System::has_initial_stress() const {
     return std::ranges::any_of(fe_.rubbers,

@@ -4,6 +4,7 @@
 /// Tested by fem/system_test.
 #include "fem/assembler.hpp"
 #include "fem/cavity_volumes.hpp"
+#include "fem/contact.hpp"
 #include "fem/fields.hpp"
 #include "fem/outputs.hpp"
 
@@ -19,12 +20,15 @@ public:
     [[nodiscard]] MPI_Comm comm() const noexcept { return fe_.comm; }
     [[nodiscard]] const DofMap& dofs() const noexcept { return fe_.dofs; }
     [[nodiscard]] linalg::Vector make_vector() const { return fe_.make_vector(); }
-    [[nodiscard]] linalg::Matrix make_matrix() const { return fe_.make_matrix(); }
+    /// Zero, with the pattern of unknowns that share a cell or that contact couples (contact().couplings()).
+    [[nodiscard]] linalg::Matrix make_matrix() const;
 
     void prescribe(const LoadLevels& levels) { state_.prescribe(levels); }
     Evaluation evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::span<const LoadColumn> columns = {}) {
         return assembler_.evaluate(x, levels, R, K, columns);
     }
+    [[nodiscard]] Contact& contact() noexcept { return contact_; }
+    [[nodiscard]] const Contact& contact() const noexcept { return contact_; }
     [[nodiscard]] Assembler& assembler() noexcept { return assembler_; }
     [[nodiscard]] CavityVolumes& volumes() noexcept { return volumes_; }
     [[nodiscard]] const CavityVolumes& volumes() const noexcept { return volumes_; }
@@ -40,8 +44,10 @@ public:
 
 private:
     Discretization fe_;
+    contact::Potential potential_;
     LocalState state_;
     Loads loads_;
+    Contact contact_;
     Assembler assembler_;
     CavityVolumes volumes_;
     Outputs outputs_;

@@ -111,6 +111,8 @@ model::Case build_case(const design::Design& design, mesh::Mesh mesh, const mode
     result.supports = design.supports;
     result.supports.insert(result.supports.end(), shape.supports.begin(), shape.supports.end());
     result.cavities = shape.cavities;
+    result.obstacles = make_obstacles(design, shape);
+    result.contact = design.contact;
     add_loads(result, design, meshed);
     add_outputs(result, design, meshed);
     result.path = design.path;
@@ -123,8 +125,10 @@ model::Case build_case(const design::Design& design, mesh::Mesh mesh, const mode
 Built build_with_figures(const design::Design& design) {
     MeshedShape made = make_shape(design);
     model::Case model = build_case(design, std::move(made.mesh), made.shape);
-    return {std::move(model), std::move(made.shape), std::move(made.part), std::move(made.notes),
-            std::move(made.warnings)};
+    std::vector<ObstacleGap> gaps = obstacle_gaps(model);
+    refuse_overlaps(design, model, gaps);
+    return {std::move(model),      std::move(made.shape),    std::move(made.part),
+            std::move(made.notes), std::move(made.warnings), std::move(gaps)};
 }
 
 model::Case build_case(const design::Design& design) { return build_with_figures(design).model; }

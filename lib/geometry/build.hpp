@@ -5,6 +5,7 @@
 /// Tested by geometry/build_test, geometry/rebuild_test.
 #include "design/design.hpp"
 #include "geometry/family.hpp"
+#include "geometry/obstacle.hpp"
 #include "model/case.hpp"
 #include "model/shape.hpp"
 
@@ -39,13 +40,15 @@ struct MeshedShape {
 /// a file are not checked, because that would take as long as generating the mesh.
 void check_geometry(const design::Design& design);
 
-/// The results of make_shape and build_case; the mesh is in the case.
+/// The results of make_shape and build_case; the mesh is in the case. Throws Error (bad_input) for an obstacle that overlaps the
+/// undeformed actuator (refuse_overlaps), which build_case alone does not check.
 struct Built {
     model::Case model;
     model::Shape shape;
     std::optional<PartFigures> part;
     std::vector<std::string> notes;
     std::vector<std::string> mesh_warnings;
+    std::vector<ObstacleGap> gaps;  ///< of the obstacles
 };
 [[nodiscard]] Built build_with_figures(const design::Design& design);
 

@@ -3,6 +3,7 @@
 
 #include "core/text.hpp"
 #include "geometry/family.hpp"
+#include "geometry/obstacle.hpp"
 
 namespace soft::geometry {
 
@@ -17,6 +18,7 @@ std::span<const design::FamilyKeys> catalogue_keys() {
     static const std::vector<design::FamilyKeys> keys = [] {
         std::vector<design::FamilyKeys> all;
         for (const Family& family : catalogue()) all.push_back(family.keys);
+        for (design::FamilyKeys& family : all) family.obstacles = obstacle_keys();
         return all;
     }();
     return keys;

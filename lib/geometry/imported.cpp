@@ -279,11 +279,7 @@ std::vector<design::Key> geometry_keys() {
              "mesh (Gmsh .msh 2.2 or 4.1) or surface (.stl, .obj, .step) of the part, relative to the design file; or (file: |) "
              "the lines of an OBJ file",
          .max_count = several_lines},
-        {.path = "geometry.unit",
-         .kind = Kind::choice,
-         .fallback = "mm",
-         .meaning = "unit of the coordinates in the file; STEP files define their own",
-         .choices = {"mm", "cm", "m", "in"}},
+        file_unit_key("geometry.unit"),
         {.path = "geometry.cavity",
          .kind = Kind::faces,
          .fallback = "none",

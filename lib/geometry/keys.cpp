@@ -10,6 +10,23 @@ namespace soft::geometry {
 
 std::string length_text(double length_m) { return core::quantity_text(length_m, core::Dimension::length); }
 
+design::Key vector_key(std::string path, design::Kind kind, std::string meaning) {
+    design::Key key = value_key(std::move(path), kind, {}, std::move(meaning));
+    key.max_count = 3;
+    return key;
+}
+
+mesh::Point point_of(const design::Values& values, const std::string& path) {
+    const std::vector<double>& numbers = values.numbers(path);
+    if (numbers.size() != 3) throw values.refuse(path, "three values are needed", "use [x, y, z]");
+    return {numbers[0], numbers[1], numbers[2]};
+}
+
+design::Key file_unit_key(std::string path) {
+    return design::choice_key(std::move(path), "mm", {"mm", "cm", "m", "in"},
+                              "unit of the coordinates in the file; STEP files define their own");
+}
+
 design::Key length_key(std::string_view name, std::string_view fallback, std::string_view meaning) {
     return {.path = "geometry." + std::string{name},
             .kind = design::Kind::length,

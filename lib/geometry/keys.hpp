@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "design/design.hpp"
+#include "mesh/mesh.hpp"
 
 namespace soft::geometry {
 
@@ -43,6 +44,14 @@ struct Radii {
 /// Throws Error above 5 million cells, so that a typing error in mesh.size does not exhaust the memory.
 inline constexpr double max_cells = 5e6;
 void refuse_too_many_cells(const design::Values& values, double cells);
+
+/// A list of three lengths or numbers.
+[[nodiscard]] design::Key vector_key(std::string path, design::Kind kind, std::string meaning);
+/// Its value. Throws values.refuse(...) for a list of another length.
+[[nodiscard]] mesh::Point point_of(const design::Values& values, const std::string& path);
+
+/// Unit of the coordinates in a surface or mesh file.
+[[nodiscard]] design::Key file_unit_key(std::string path);
 
 /// "12 mm"
 [[nodiscard]] std::string length_text(double length_m);

@@ -30,43 +30,6 @@ Vector3 mean_normal(const Meshed& meshed, const std::string& face) {
     return sum;
 }
 
-/// A direction requested at a face.
-struct DirectionRequest {
-    std::string key;  ///< for errors: "outputs.elongation.along"
-    std::string face;
-    std::string along;  ///< axis | x | y | z | r | normal
-};
-
-/// Its unit vector. `normal` points out of the undeformed face, which must be flat.
-Vector3 direction_of(const DirectionRequest& request, const Meshed& meshed) {
-    const std::string& along = request.along;
-    if (along == "axis") return meshed.shape.axis;
-    if (along == "x") return {1, 0, 0};
-    if (along == "normal") {
-        constexpr double flat = 1 - 1e-9;  // rounding of the sums; a curved face falls far below
-        const auto n = mean_normal(meshed, request.face);
-        if (!(std::hypot(n[0], n[1], n[2]) >= flat))  // also of a face without area
-            throw Error(ExitCode::bad_input, request.key, "face " + core::quoted(request.face) + " is not flat",
-                        "use axis, x, y or z");
-        return n;
-    }
-    // The mean of y or z over a full turn has no meaning for a section, and r is not a fixed direction of a solid.
-    const bool revolved = meshed.shape.kinematics == model::Kinematics::axisymmetric;
-    const bool plane = meshed.shape.kinematics == model::Kinematics::plane_strain;
-    if (along == "r" && revolved) return {0, 1, 0};
-    if (along == "y" && !revolved) return {0, 1, 0};
-    if (along == "z" && !revolved && !plane) return {0, 0, 1};
-    throw Error(ExitCode::bad_input, request.key, core::quoted(along) + " is not a direction of this model",
-                revolved ? "use axis, x, r or normal"
-                : plane  ? "use axis, x, y or normal"
-                         : "use axis, x, y, z or normal");
-}
-
-const char* component_name(const Meshed& meshed, std::size_t component) {
-    constexpr std::array<const char*, 3> names{"x", "y", "z"};
-    return component == 1 && meshed.shape.kinematics == model::Kinematics::axisymmetric ? "r" : names[component];
-}
-
 /// Whether the load needs the volume of a cavity.
 bool has_gas(const design::Design& design, std::size_t load) {
     return design.loads[load].targets.size() > 1 || design.loads[load].line ||
@@ -149,6 +112,10 @@ std::size_t component_along(const Vector3& direction) {
 void add_motions(model::Case& result, const design::Design& design, const Meshed& meshed) {
     for (const auto& request : design.motions) {
         const std::string location = "loads." + request.face, path = location + ".along";
+        if (is_obstacle(result, request.face)) {
+            result.motions.push_back(obstacle_motion(request, meshed));
+            continue;
+        }
         require_face(meshed, request.face, location);
         const Vector3 direction = direction_of({path, request.face, request.along}, meshed);
         const std::size_t component = component_along(direction);
@@ -185,6 +152,7 @@ void check_constraints(const model::Case& result, const design::Design& design, 
     };
     for (std::size_t m = 0; m < result.motions.size(); ++m) {
         const model::Motion& motion = result.motions[m];
+        if (is_obstacle(result, motion.face)) continue;
         for (std::size_t i = 0; i < 3; ++i) {
             if (!motion.displacement_m[i]) continue;
             for (const model::Support& support : result.supports)
@@ -192,7 +160,8 @@ void check_constraints(const model::Case& result, const design::Design& design, 
                     refuse(motion, i, "a support fixes " + core::quoted(support.face));
             for (std::size_t k = 0; k < m; ++k) {
                 const model::Motion& other = result.motions[k];
-                if (other.displacement_m[i] && *other.displacement_m[i] != *motion.displacement_m[i] &&
+                if (!is_obstacle(result, other.face) && other.displacement_m[i] &&
+                    *other.displacement_m[i] != *motion.displacement_m[i] &&
                     share_a_node(meshed, motion.face, other.face))
                     refuse(motion, i, "another motion moves " + core::quoted(other.face));
             }
@@ -236,8 +205,9 @@ void check_reaction(const model::Case& result, const design::Design::OutputReque
     const auto is_constrained = [&](std::size_t i) {
         const auto at_face = [&](const std::string& face) { return share_a_facet(meshed, request.face, face); };
         return std::ranges::any_of(result.supports, [&](const auto& s) { return s.fixed[i] && at_face(s.face); }) ||
-               std::ranges::any_of(result.motions,
-                                   [&](const auto& m) { return m.displacement_m[i] && at_face(m.face); });
+               std::ranges::any_of(result.motions, [&](const auto& m) {
+                   return !is_obstacle(result, m.face) && m.displacement_m[i] && at_face(m.face);
+               });
     };
     bool any = false;
     for (std::size_t i = 0; i < 3; ++i) any = any || ((!force || left[i] != 0) && is_constrained(i));
@@ -250,6 +220,35 @@ void check_reaction(const model::Case& result, const design::Design::OutputReque
 }
 
 }  // namespace
+
+Vector3 direction_of(const DirectionRequest& request, const Meshed& meshed) {
+    const std::string& along = request.along;
+    if (along == "axis") return meshed.shape.axis;
+    if (along == "x") return {1, 0, 0};
+    if (along == "normal") {
+        constexpr double flat = 1 - 1e-9;  // rounding of the sums; a curved face falls far below
+        const auto n = mean_normal(meshed, request.face);
+        if (!(std::hypot(n[0], n[1], n[2]) >= flat))  // also of a face without area
+            throw Error(ExitCode::bad_input, request.key, "face " + core::quoted(request.face) + " is not flat",
+                        "use axis, x, y or z");
+        return n;
+    }
+    // The mean of y or z over a full turn has no meaning for a section, and r is not a fixed direction of a solid.
+    const bool revolved = meshed.shape.kinematics == model::Kinematics::axisymmetric;
+    const bool plane = meshed.shape.kinematics == model::Kinematics::plane_strain;
+    if (along == "r" && revolved) return {0, 1, 0};
+    if (along == "y" && !revolved) return {0, 1, 0};
+    if (along == "z" && !revolved && !plane) return {0, 0, 1};
+    throw Error(ExitCode::bad_input, request.key, core::quoted(along) + " is not a direction of this model",
+                revolved ? "use axis, x, r or normal"
+                : plane  ? "use axis, x, y or normal"
+                         : "use axis, x, y, z or normal");
+}
+
+const char* component_name(const Meshed& meshed, std::size_t component) {
+    constexpr std::array<const char*, 3> names{"x", "y", "z"};
+    return component == 1 && meshed.shape.kinematics == model::Kinematics::axisymmetric ? "r" : names[component];
+}
 
 void require_face(const Meshed& meshed, const std::string& face, const std::string& location) {
     const auto& sets = meshed.mesh.facet_sets;
@@ -274,6 +273,10 @@ void add_loads(model::Case& result, const design::Design& design, const Meshed& 
 void add_outputs(model::Case& result, const design::Design& design, const Meshed& meshed) {
     for (const auto& request : design.outputs) {
         const std::string location = "outputs." + request.name;
+        if (!request.obstacle.empty()) {
+            result.outputs.push_back(contact_output(request, meshed, design.values));
+            continue;
+        }
         if (!request.point_m.empty()) {
             const Vector3 along = direction_of({location + ".along", "", request.along}, meshed);
             result.outputs.push_back(

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "design/design.hpp"
+#include "math/vector.hpp"
 #include "model/case.hpp"
 #include "model/shape.hpp"
 
@@ -22,6 +23,25 @@ struct Meshed {
 
 /// Throws Error(bad_input) at `location` if the mesh has no such face, or no facet of it; lists the faces of the family that it has.
 void require_face(const Meshed& meshed, const std::string& face, const std::string& location);
+
+/// A direction requested at a face.
+struct DirectionRequest {
+    std::string key;  ///< for errors: "outputs.elongation.along"
+    std::string face;
+    std::string along;  ///< axis | x | y | z | r | normal
+};
+/// Its unit vector. `normal` points out of the undeformed face, which must be flat.
+[[nodiscard]] Vector3 direction_of(const DirectionRequest& request, const Meshed& meshed);
+
+/// "x", "y" or "z"; "r" for the second component of an axisymmetric model.
+[[nodiscard]] const char* component_name(const Meshed& meshed, std::size_t component);
+
+[[nodiscard]] bool is_obstacle(const model::Case& result, const std::string& name);
+/// Every component is prescribed.
+[[nodiscard]] model::Motion obstacle_motion(const design::Design::MotionRequest& request, const Meshed& meshed);
+/// An output of an obstacle or of self-contact. Throws for a force that the mirror image at a symmetry plane cancels.
+[[nodiscard]] model::Output contact_output(const design::Design::OutputRequest& request, const Meshed& meshed,
+                                           const design::Values& values);
 
 /// Adds pressures, tractions, forces, gravity and prescribed motions. Call it after supports and cavities are set. Throws for weight
 /// and forces that a symmetry plane would mirror, and for a component that is prescribed twice at a node.

@@ -18,12 +18,6 @@ constexpr const char* symmetry_key = "geometry.symmetry";
 constexpr std::array<const char*, 3> symmetry_faces{meshing::symmetry_x_face, meshing::symmetry_y_face,
                                                     meshing::symmetry_z_face};
 
-mesh::Point point_of(const design::Values& values, const std::string& path) {
-    const std::vector<double>& numbers = values.numbers(path);
-    if (numbers.size() != 3) throw values.refuse(path, "three values are needed", "use [x, y, z]");
-    return {numbers[0], numbers[1], numbers[2]};
-}
-
 meshing::FaceRule rule_of(const design::Values& values, const std::string& name) {
     constexpr double usual_within_rad = 10 * std::numbers::pi / 180;
     const std::string own = std::string{rules_group} + "." + name + ".";

@@ -286,7 +286,8 @@ meshing::Outline outline_from(std::string_view text, std::string_view source, Ac
     return outline;
 }
 
-meshing::Outline outline_of_file(const std::string& file, std::string_view location, Across across) {
+meshing::Outline outline_of_file(const std::string& file, std::string_view location, Across across,
+                                 std::string_view key) {
     try {
         if (file.find('\n') != std::string::npos) return outline_from(file, "table", across);
         const std::string path = design::file_from(location, file);
@@ -294,7 +295,7 @@ meshing::Outline outline_of_file(const std::string& file, std::string_view locat
         const auto bytes = core::read_regular_file(path, max_bytes);
         return outline_from({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path, across);
     } catch (const Error& error) {  // add the location in the design that names the file
-        throw Error(error.code(), std::string{location} + ": " + profile_key, error.what());
+        throw Error(error.code(), std::string{location}.append(": ").append(key), error.what());
     }
 }
 

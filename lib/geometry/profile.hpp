@@ -27,9 +27,10 @@ inline constexpr const char* profile_key = "geometry.profile";
 /// Table -> valid outline. `source` names the table in errors (bad_input, "source:line: ...").
 [[nodiscard]] meshing::Outline outline_from(std::string_view text, std::string_view source, Across across);
 
-/// The outline in the file that `geometry.profile` names, or in the value itself if that has several lines. Errors start with
-/// `location`, that of the key in the design.
-[[nodiscard]] meshing::Outline outline_of_file(const std::string& file, std::string_view location, Across across);
+/// The outline in the file that the key names, or in the value itself if that has several lines. Errors start with `location`, that
+/// of the key in the design.
+[[nodiscard]] meshing::Outline outline_of_file(const std::string& file, std::string_view location, Across across,
+                                               std::string_view key = profile_key);
 
 /// The tags of the edges, each once, in the order of the rows.
 [[nodiscard]] std::vector<std::string> tags_of(const meshing::Outline& outline);

@@ -6,6 +6,7 @@
 #include "geometry/build.hpp"
 #include "geometry/keys.hpp"
 #include "geometry/loading.hpp"
+#include "geometry/obstacle.hpp"
 #include "geometry/strip.hpp"
 #include "mesh/raise_order.hpp"
 #include "mesh/refine.hpp"
@@ -164,8 +165,15 @@ void check_geometry(const design::Design& design) {
 MeshedShape make_shape(const design::Design& design) {
     const Body body = family_of(design.family).build(design.values);
     Solid solid = mesh_body(body, design.values);
-    model::Shape shape{solid.kinematics,          solid.fraction, solid.symmetry_planes, body.axis,
-                       own_supports(body, solid), body.cavities,  body.region_materials, body.region_fibers};
+    model::Shape shape{solid.kinematics,
+                       solid.fraction,
+                       solid.symmetry_planes,
+                       body.axis,
+                       own_supports(body, solid),
+                       body.cavities,
+                       body.region_materials,
+                       body.region_fibers,
+                       faceted_obstacles(design, solid.kinematics, solid.mesh)};
     return {std::move(solid.mesh), std::move(shape), body.part, body.notes, body.warnings};
 }
 

@@ -150,6 +150,31 @@ void check_cavity(const Checker& check, const model::Cavity& cavity, std::size_t
     }
 }
 
+/// Every facet must have a normal, on a segment in the plane of the section.
+void check_obstacle(const Checker& check, const std::string& name, const model::FacetedSurface& surface) {
+    const std::string location = "/shape/obstacles/" + name;
+    const bool section = check.mesh.dimension == 2;
+    check.require_name(name, location);
+    check.require(!surface.facets.empty(), location + "/facets", "there are no facets");
+    for (std::size_t i = 0; i < surface.points.size(); ++i) {
+        const mesh::Point& point = surface.points[i];
+        if (!std::ranges::all_of(point, [](double x) { return std::isfinite(x); }) || (section && point[2] != 0))
+            check.refuse(Checker::item(location + "/points", i), "is not a point of the model");
+    }
+    for (std::size_t i = 0; i < surface.facets.size(); ++i) {
+        const auto& facet = surface.facets[i];
+        const std::size_t corners = section ? 2 : 3;
+        const auto exists = [&](int point) {
+            return point >= 0 && static_cast<std::size_t>(point) < surface.points.size();
+        };
+        if (!std::all_of(facet.begin(), facet.begin() + corners, exists) || (section && facet[2] != -1))
+            check.refuse(Checker::item(location + "/facets", i), "names a point that does not exist");
+        const auto normal = model::facet_normal(surface, facet);
+        if (!(std::hypot(normal[0], normal[1], normal[2]) > 0))
+            check.refuse(Checker::item(location + "/facets", i), "is degenerate");
+    }
+}
+
 void check_shape(const Checker& check) {
     const model::Shape& shape = check.shape;
     check.require(shape.model_fraction > 0 && shape.model_fraction <= 1, "/shape/model_fraction",
@@ -166,6 +191,7 @@ void check_shape(const Checker& check) {
     check.require_unique(shape.cavities, "/shape/cavities/name",
                          [](const model::Cavity& cavity) { return cavity.name; });
     for (std::size_t i = 0; i < shape.cavities.size(); ++i) check_cavity(check, shape.cavities[i], i);
+    for (const auto& [name, surface] : shape.obstacles) check_obstacle(check, name, surface);
 }
 
 }  // namespace

@@ -114,6 +114,25 @@ std::map<std::string, model::Shape::Winding> read_fibers(const GroupReader& grou
     return windings;
 }
 
+/// A case without obstacles may lack the group: older files do.
+std::map<std::string, model::FacetedSurface> read_obstacles(const GroupReader& shape) {
+    std::map<std::string, model::FacetedSurface> obstacles;
+    if (!shape.has("obstacles")) return obstacles;
+    const GroupReader group = shape.group("obstacles");
+    for (const std::string& name : group.names()) {
+        const GroupReader one = group.group(name);
+        model::FacetedSurface& surface = obstacles[name];
+        const auto points = one.array<double>("points", {any, 3});
+        for (std::size_t i = 0; 3 * i < points.size(); ++i) surface.points.push_back(triple<double>(points, i));
+        const auto facets = one.array<std::int64_t>("facets", {any, 3});
+        for (std::size_t i = 0; 3 * i < facets.size(); ++i) {
+            auto& facet = surface.facets.emplace_back();
+            for (std::size_t k = 0; k < 3; ++k) facet[k] = one.to_int("facets", facets[3 * i + k], -1);
+        }
+    }
+    return obstacles;
+}
+
 model::Shape read_shape(const GroupReader& group) {
     model::Shape shape;
     shape.kinematics = group.word("kinematics", kinematics_names);
@@ -127,6 +146,7 @@ model::Shape read_shape(const GroupReader& group) {
     const auto names = materials.texts("material", extent(regions.size()));
     for (std::size_t i = 0; i < regions.size(); ++i) shape.region_materials[regions[i]] = names[i];
     shape.region_fibers = read_fibers(group.group("fibers"));
+    shape.obstacles = read_obstacles(group);
     return shape;
 }
 

@@ -127,6 +127,20 @@ void write_regions(hid_t root, const model::Shape& shape) {
                 }));
 }
 
+/// Faceted obstacles, one group each.
+void write_obstacles(hid_t shape, const std::map<std::string, model::FacetedSurface>& obstacles) {
+    const GroupHandle group = create_group(shape, "obstacles", "obstacles with a faceted surface, by name");
+    for (const auto& [name, surface] : obstacles) {
+        const GroupHandle one = create_group(group.get(), name.c_str(), "a faceted surface, normals to the actuator");
+        write_list(one.get(), {"points", "m", "position x, y, z; x, r, 0 in a section"},
+                   rows_of_three<double>(surface.points, [](const mesh::Point& point) { return point; }),
+                   {surface.points.size(), 3});
+        write_list(one.get(), {"facets", "1", "rows of points: triangle, or segment of a section and -1"},
+                   rows_of_three<std::int64_t>(surface.facets, [](const auto& facet) { return facet; }),
+                   {surface.facets.size(), 3});
+    }
+}
+
 void write_shape(hid_t root, const model::Shape& shape) {
     const GroupHandle group = create_group(root, "shape", "what the shape adds to the mesh");
     write_text(group.get(), {"kinematics", "1", "axisymmetric | plane_strain | solid"},
@@ -140,6 +154,7 @@ void write_shape(hid_t root, const model::Shape& shape) {
     write_supports(group.get(), shape.supports);
     write_cavities(group.get(), shape.cavities);
     write_regions(group.get(), shape);
+    write_obstacles(group.get(), shape.obstacles);
 }
 
 }  // namespace

@@ -48,10 +48,14 @@ auto members(Is<model::Bifurcation> auto& bifurcation) {
     auto& [at, modes, mode] = bifurcation;
     return std::tie(at, modes, mode);
 }
+auto members(Is<model::FirstContact> auto& contact) {
+    auto& [at, obstacle, location] = contact;
+    return std::tie(at, obstacle, location);
+}
 /// Without reason and detail, which an unfinished path does not have.
 auto members(Is<model::PathEnd> auto& end) {
-    [[maybe_unused]] auto& [reason, detail, limit_points, bifurcations, iterations, factorizations] = end;
-    return std::tie(limit_points, bifurcations, iterations, factorizations);
+    [[maybe_unused]] auto& [reason, detail, limit_points, bifurcations, contacts, iterations, factorizations] = end;
+    return std::tie(limit_points, bifurcations, contacts, iterations, factorizations);
 }
 auto members(Is<model::StatePoint> auto& point) {
     auto& [unknowns, tangent, pressures, d_pressures, load_factor, d_load_factor, power, outputs, q, work, modes] =

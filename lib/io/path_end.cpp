@@ -13,8 +13,9 @@ using model::Bifurcation;
 using model::LimitPoint;
 using model::PathEnd;
 
-std::vector<LimitPoint> positions_of(const std::vector<Bifurcation>& bifurcations) {
-    return column(bifurcations, [](const Bifurcation& bifurcation) { return bifurcation.at; });
+template <class At>
+std::vector<LimitPoint> positions_of(const std::vector<At>& events) {
+    return column(events, [](const At& event) { return event.at; });
 }
 
 void require_valid(std::span<const LimitPoint> points, const model::Case& model, std::size_t steps) {
@@ -67,12 +68,38 @@ std::vector<Bifurcation> read_bifurcations(const GroupReader& group, const model
     return bifurcations;
 }
 
+void write_contacts(hid_t path, const PathEnd& end, const model::Case& model) {
+    const auto& contacts = end.first_contacts;
+    const GroupHandle group =
+        create_group(path, "first_contacts", "first contacts with walls or obstacles, one row each");
+    write_points(group.get(), positions_of(contacts), model);
+    write_column(group.get(), {"obstacle", "1", "index of the obstacle in the design, -1: itself"}, contacts.size(),
+                 [&](std::size_t i) { return static_cast<std::int64_t>(contacts[i].obstacle); });
+    write_list(group.get(), {"location", "m", "undeformed position"},
+               rows_of_three<double>(contacts, [](const model::FirstContact& contact) { return contact.location_m; }),
+               {contacts.size(), 3});
+}
+
+std::vector<model::FirstContact> read_contacts(const GroupReader& group, const model::Case& model, std::size_t steps) {
+    const auto points = read_points(group, model, steps);
+    const auto obstacles = group.array<std::int64_t>("obstacle", {extent(points.size())});
+    const auto locations = group.array<double>("location", {extent(points.size()), 3});
+    std::vector<model::FirstContact> contacts;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (obstacles[i] < -1 || obstacles[i] >= extent(model.obstacles.size()))
+            throw group.refuse("obstacle[" + std::to_string(i) + "]", "this obstacle does not exist");
+        contacts.push_back({points[i], static_cast<int>(obstacles[i]), triple<double>(locations, i)});
+    }
+    return contacts;
+}
+
 }  // namespace
 
 void write_end(hid_t path, const PathEnd& end, const model::Case& model, std::size_t steps) {
     const auto branching = positions_of(end.bifurcations);
     require_valid(end.limit_points, model, steps);
     require_valid(branching, model, steps);
+    require_valid(positions_of(end.first_contacts), model, steps);
     // An attribute must fit into an object header of 64 KiB.
     constexpr std::size_t max_detail_bytes = 4096;
     write_attribute(path, "stop_reason", name(end.reason));
@@ -88,6 +115,7 @@ void write_end(hid_t path, const PathEnd& end, const model::Case& model, std::si
     write_points(group.get(), branching, model);
     write_column(group.get(), {"modes", "1", "eigenvalues of the tangent that change sign"}, branching.size(),
                  [&](std::size_t i) { return static_cast<std::int64_t>(end.bifurcations[i].modes); });
+    write_contacts(path, end, model);
 }
 
 PathEnd read_end(const GroupReader& path, const model::Case& model, std::size_t steps) {
@@ -101,6 +129,7 @@ PathEnd read_end(const GroupReader& path, const model::Case& model, std::size_t 
     end.factorizations = path.to_int("factorizations", path.integer_attribute("factorizations", 1)[0]);
     end.limit_points = read_points(path.group("limit_points"), model, steps);
     end.bifurcations = read_bifurcations(path.group("bifurcations"), model, steps);
+    end.first_contacts = read_contacts(path.group("first_contacts"), model, steps);
     if (path.integer_attribute("limit_points", 1)[0] != extent(end.limit_points.size()))
         throw path.refuse("limit_points", "does not match the number of limit points");
     if (path.integer_attribute("bifurcations", 1)[0] != extent(end.bifurcations.size()))

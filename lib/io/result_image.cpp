@@ -21,22 +21,12 @@ GroupHandle open_group(hid_t parent, const char* name) {
 
 /// The case without its mesh, which is large and not needed here.
 model::Case without_mesh(const model::Case& input) {
-    return {input.name,
-            input.kinematics,
-            input.formulation,
-            input.model_fraction,
-            input.symmetry_planes,
-            {},
-            input.materials,
-            input.supports,
-            input.cavities,
-            input.loads,
-            input.dead_loads,
-            input.motions,
-            input.outputs,
-            input.path,
-            input.solver,
-            input.dynamics};
+    return {input.name,           input.kinematics,      input.formulation,
+            input.model_fraction, input.symmetry_planes, {},
+            input.materials,      input.supports,        input.cavities,
+            input.loads,          input.dead_loads,      input.motions,
+            input.obstacles,      input.contact,         input.outputs,
+            input.path,           input.solver,          input.dynamics};
 }
 
 /// Throws Error (bad_input) if the file contains a result or parts of one.

@@ -57,7 +57,7 @@ std::vector<double> solve(EPS eps, PetscInt wanted) {
 std::optional<PetscInt> count_below(Mat K, Mat M, double shift, PetscInt constraints) {
     Matrix shifted;
     SOFT_PETSC(MatDuplicate(K, MAT_COPY_VALUES, shifted.out()));
-    SOFT_PETSC(MatAXPY(shifted, -shift, M, SAME_NONZERO_PATTERN));
+    add(shifted, -shift, M);
     LinearSolver solver(shifted, Symmetry::symmetric, {.method = LinearMethod::mumps_ldlt});
     const auto pivots = solver.factorize().negative_pivots;
     return pivots ? std::optional(*pivots - constraints) : std::nullopt;

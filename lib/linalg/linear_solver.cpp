@@ -53,6 +53,14 @@ LinearSolver::LinearSolver(Mat K, Symmetry symmetry, const LinearSettings& setti
     set_operators();
 }
 
+void LinearSolver::pattern_changed() {
+    SOFT_PETSC(KSPReset(ksp_));
+    order_.clear();
+    if (settings_.method == LinearMethod::automatic) use_factorization(choice_);
+    if (multigrid_) multigrid_->attach(preconditioner());
+    set_operators();
+}
+
 void LinearSolver::use_factorization(Choice choice) {
     PetscBool chosen = PETSC_FALSE;
     SOFT_PETSC(PetscOptionsHasName(nullptr, nullptr, "-pc_type", &chosen));  // the user overrides set_type

@@ -47,6 +47,9 @@ public:
     /// Required by Preconditioner::multigrid, before the first factorize().
     void set_levels(ElementLevels levels);
 
+    /// To be called when K has another pattern; the next factorize() orders the unknowns again.
+    void pattern_changed();
+
     /// Sets the operator of method jacobian_free, not owned. The preconditioner is still built from K.
     void set_operator(Mat A) { operator_ = A; }
 

@@ -45,6 +45,14 @@ double norm(Vec a) {
 void copy(Vec from, Vec to) { SOFT_PETSC(VecCopy(from, to)); }
 void add(Vec y, double factor, Vec x) { SOFT_PETSC(VecAXPY(y, factor, x)); }
 
+void add(Mat Y, double factor, Mat X) {
+    MatInfo of_Y, of_X;
+    SOFT_PETSC(MatGetInfo(Y, MAT_GLOBAL_SUM, &of_Y));
+    SOFT_PETSC(MatGetInfo(X, MAT_GLOBAL_SUM, &of_X));
+    const bool same = of_Y.nz_used == of_X.nz_used;
+    SOFT_PETSC(MatAXPY(Y, factor, X, same ? SAME_NONZERO_PATTERN : SUBSET_NONZERO_PATTERN));
+}
+
 void assemble(Vec x) {
     SOFT_PETSC(VecAssemblyBegin(x));
     SOFT_PETSC(VecAssemblyEnd(x));

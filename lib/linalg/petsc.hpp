@@ -30,7 +30,8 @@ public:
         if (handle_ != nullptr) (void)Destroy(&handle_);
     }
     [[nodiscard]] Handle get() const noexcept { return handle_; }
-    operator Handle() const noexcept { return handle_; }       // NOLINT(google-explicit-constructor): for PETSc's calls
+    operator Handle() const noexcept { return handle_; }  // NOLINT(google-explicit-constructor): for PETSc's calls
+    [[nodiscard]] Handle release() noexcept { return std::exchange(handle_, nullptr); }
     [[nodiscard]] Handle* out() noexcept { return &handle_; }  ///< for PETSc's create functions
 
 private:
@@ -53,6 +54,8 @@ using NullSpace = Owned<MatNullSpace, MatNullSpaceDestroy>;
 void spread(std::span<const double> all, Vec distributed);
 void copy(Vec from, Vec to);
 void add(Vec y, double factor, Vec x);  ///< y += factor x
+/// Y += factor X, whose pattern that of Y contains.
+void add(Mat Y, double factor, Mat X);
 /// Completes the insertion or addition of entries. Collective.
 void assemble(Vec x);
 void assemble(Mat K);

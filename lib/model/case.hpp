@@ -1,16 +1,19 @@
 #pragma once
 /// The typed case: mesh-gen writes it to the HDF5 file and solve reads it. Plain data in SI units.
 /// Loads are given for the WHOLE actuator; `model_fraction` is the fraction of it that the mesh represents (1, 1/2, 1/4).
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "material/fibers.hpp"
 #include "material/form.hpp"
 #include "mesh/mesh.hpp"
 #include "model/measure.hpp"
+#include "model/obstacle.hpp"
 #include "model/settings.hpp"
 
 namespace soft::model {
@@ -119,20 +122,24 @@ struct DeadLoad {
     double area_m2 = 0;  ///< force: area of the whole undeformed face
 };
 
-/// A prescribed displacement of a face; components without a value are free.
+/// A prescribed displacement of a face or of an obstacle. Components without a value are free; those of an obstacle are fixed.
 struct Motion {
-    std::string face;
+    std::string face;                                     ///< or the name of an obstacle
     std::array<std::optional<double>, 3> displacement_m;  ///< at level 1; axisymmetric: x, r, unused
 };
 
+/// Output::obstacle of the contact of the actuator with itself.
+inline constexpr std::string_view self_contact = "self";
+
 struct Output {
     std::string name;                   ///< "elongation"; CSV column elongation_mm, bend_deg, block_N ...
-    std::string face;                   ///< empty if a point is measured
-    std::array<double, 3> direction{};  ///< unit vector
+    std::string face;                   ///< empty if a point or an obstacle is measured
+    std::array<double, 3> direction{};  ///< unit vector; zero for a measure without a direction
     Measure measure = Measure::displacement;
     std::string reference = {};  ///< the supported reference face of measure bend; else empty
     /// Undeformed position of the measured point; x, r, 0 in a section.
     std::optional<std::array<double, 3>> point_m = {};
+    std::string obstacle = {};  ///< name of an obstacle, or self_contact; else empty
 };
 
 /// Controlled quantity of the path following. automatic: the load factor while the actuator is stiff, then the volume if one
@@ -170,17 +177,18 @@ struct Stage {
 
 /// Behaviour at a bifurcation and at contact.
 enum class Branch { stay, follow };
-enum class Contact { stop, ignore };
+enum class Contact { solve, stop, ignore };
 
 inline constexpr int max_frequencies = 50;
 
 struct PathSettings {
     std::vector<Stage> stages;
-    Branch branch = Branch::stay;     ///< follow: switch to the other branch at the first bifurcation of the path
-    double imperfection_m = 1e-4;     ///< perturbation used to switch branches: maximum displacement of the scaled mode
-    Contact contact = Contact::stop;  ///< behaviour where walls of the actuator touch
-    double stretch_limit = 10;        ///< stretch_p99 beyond which a load that cannot be reached is abandoned
-    int frequencies = 0;  ///< number of natural frequencies of each row of a static path, at most max_frequencies
+    Branch branch = Branch::stay;  ///< follow: switch to the other branch at the first bifurcation of the path
+    double imperfection_m = 1e-4;  ///< perturbation used to switch branches: maximum displacement of the scaled mode
+    /// Behaviour where walls of the actuator touch each other. Obstacles are always respected.
+    Contact contact = Contact::stop;
+    double stretch_limit = 10;  ///< stretch_p99 beyond which a load that cannot be reached is abandoned
+    int frequencies = 0;        ///< number of natural frequencies of each row of a static path, at most max_frequencies
 };
 
 struct Case {
@@ -196,11 +204,18 @@ struct Case {
     std::vector<PressureLoad> loads;
     std::vector<DeadLoad> dead_loads;
     std::vector<Motion> motions;
+    std::vector<Obstacle> obstacles;
+    ContactSettings contact;
     std::vector<Output> outputs;
     PathSettings path;
     SolverSettings solver;
     std::optional<Dynamics> dynamics;  ///< nullopt: a static path
 };
+
+/// Whether a motion is that of an obstacle, not of a face.
+[[nodiscard]] inline bool moves_obstacle(const Case& input, const Motion& motion) {
+    return std::ranges::any_of(input.obstacles, [&](const Obstacle& obstacle) { return obstacle.name == motion.face; });
+}
 
 /// The cavities whose volume is measured: the targets of all loads, in the order of the loads and their targets.
 [[nodiscard]] inline std::vector<const Cavity*> measured_cavities(const Case& input) {

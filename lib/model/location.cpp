@@ -12,4 +12,12 @@ std::string location_text(Kinematics kinematics, const mesh::Point& position_m) 
     return kinematics == Kinematics::plane_strain ? xy : xy + ", z = " + millimetres(2);
 }
 
+std::string contact_text(const Case& input, const FirstContact& contact) {
+    const std::string what = contact.obstacle < 0
+                                 ? "the actuator touches itself"
+                                 : "the actuator touches the obstacle '" +
+                                       input.obstacles[static_cast<std::size_t>(contact.obstacle)].name + "'";
+    return what + " at " + location_text(input.kinematics, contact.location_m) + " of the undeformed part";
+}
+
 }  // namespace soft::model

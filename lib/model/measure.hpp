@@ -22,8 +22,23 @@ namespace soft::model {
 ///   curvature: curvature of the best-fit circle of the deformed face, projected along `direction` [1/m]; fem/circle_fit.hpp
 ///   force: force of the actuator on its support or drive at the face, along `direction` [N]
 ///   moment: moment of those forces about the axis `direction` through the centroid of the undeformed face [N m]
-/// Force and moment are those of the whole actuator (plane strain: for a depth of 1 m).
-enum class Measure { displacement, bend, twist, radial, rotation, curvature, force, moment };
+/// Of an obstacle, or of the contact of the actuator with itself (model::Output::obstacle):
+///   force: force of the actuator on the obstacle along `direction` [N]; not of self-contact, where it is 0
+///   contact_area: part of the undeformed surface that is in contact [m^2]
+///   contact_pressure: maximum contact pressure [Pa]
+/// Force, moment and area are those of the whole actuator (plane strain: for a depth of 1 m).
+enum class Measure {
+    displacement,
+    bend,
+    twist,
+    radial,
+    rotation,
+    curvature,
+    force,
+    moment,
+    contact_area,
+    contact_pressure
+};
 
 /// Units of a measure: SI in files, practical units in tables and messages.
 struct MeasureUnit {
@@ -38,7 +53,9 @@ inline constexpr MeasureUnit length_unit{"m", "m", "mm", "mm", 1e-3, core::Dimen
     angle_unit{"rad", "rad", "deg", "deg", std::numbers::pi / 180, core::Dimension::angle},
     curvature_unit{"1/m", "per_m", "1/m", "per_m", 1, core::Dimension::curvature},
     force_unit{"N", "N", "N", "N", 1, core::Dimension::force},
-    moment_unit{"N.m", "Nm", "N.mm", "Nmm", 1e-3, core::Dimension::moment};
+    moment_unit{"N.m", "Nm", "N.mm", "Nmm", 1e-3, core::Dimension::moment},
+    area_unit{"m2", "m2", "mm2", "mm2", 1e-6, core::Dimension::area},
+    pressure_unit{"Pa", "Pa", "kPa", "kPa", 1e3, core::Dimension::pressure};
 
 /// Meaning of the direction of an output.
 enum class Along {
@@ -46,7 +63,11 @@ enum class Along {
     force_direction,  ///< not r, because the forces along r cancel around the circumference
     axis,             ///< of a rotation or moment, not in axisymmetric models; in plane strain it is z
     distance_axis,    ///< from which a distance is taken, not in plane strain
+    none,             ///< the measure has no direction
 };
+
+/// What a measure is taken of.
+enum class MeasuredObject { face, obstacle, face_or_obstacle };
 
 /// The words, the unit and the restrictions of a measure. Designs, files, columns, messages and docs/reference take them from here.
 struct MeasureInfo {
@@ -57,7 +78,8 @@ struct MeasureInfo {
     Along along;
     bool has_default_axis = false;  ///< whether `along` may be omitted
     bool solid_only = false;        ///< not in sections
-    bool reaction = false;          ///< depends on the loads as well as on the state; static paths only
+    bool reaction = false;          ///< of a face: depends on the loads as well as on the state; static paths only
+    MeasuredObject object = MeasuredObject::face;
 };
 inline constexpr std::array measures{
     MeasureInfo{.measure = Measure::displacement,
@@ -97,11 +119,12 @@ inline constexpr std::array measures{
                 .solid_only = true},
     MeasureInfo{.measure = Measure::force,
                 .name = "force",
-                .meaning = "force of the actuator on its support or drive at a face",
+                .meaning = "force of the actuator on its support or drive at a face, or on an obstacle",
                 .unit = force_unit,
                 .along = Along::force_direction,
                 .has_default_axis = true,
-                .reaction = true},
+                .reaction = true,
+                .object = MeasuredObject::face_or_obstacle},
     MeasureInfo{
         .measure = Measure::moment,
         .name = "moment",
@@ -109,6 +132,18 @@ inline constexpr std::array measures{
         .unit = moment_unit,
         .along = Along::axis,
         .reaction = true},
+    MeasureInfo{.measure = Measure::contact_area,
+                .name = "area",
+                .meaning = "area of contact with an obstacle, on the undeformed actuator",
+                .unit = area_unit,
+                .along = Along::none,
+                .object = MeasuredObject::obstacle},
+    MeasureInfo{.measure = Measure::contact_pressure,
+                .name = "pressure",
+                .meaning = "maximum contact pressure at an obstacle",
+                .unit = pressure_unit,
+                .along = Along::none,
+                .object = MeasuredObject::obstacle},
 };
 
 static_assert(std::ranges::is_sorted(measures, {}, &MeasureInfo::measure), "in the order of the enumeration");

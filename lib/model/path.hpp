@@ -91,11 +91,19 @@ struct Bifurcation {
     std::vector<double> mode;  ///< [point x 3], scaled to a largest displacement of 1; empty if it was not found
 };
 
+/// Point at which the actuator touches itself or an obstacle after it has touched nothing.
+struct FirstContact {
+    LimitPoint at;
+    int obstacle = -1;                   ///< index in Case::obstacles; -1: itself
+    std::array<double, 3> location_m{};  ///< undeformed
+};
+
 struct PathEnd {
     StopReason reason = StopReason::done;
     std::string detail;  ///< one sentence for the user, with the location if there is one
     std::vector<LimitPoint> limit_points;
     std::vector<Bifurcation> bifurcations;
+    std::vector<FirstContact> first_contacts;
     int newton_iterations = 0;
     int factorizations = 0;
 };

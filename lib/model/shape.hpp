@@ -35,6 +35,8 @@ struct Shape {
     /// name, or else the main material.
     std::map<std::string, std::string> region_materials;
     std::map<std::string, Winding> region_fibers;  ///< by region name
+    std::map<std::string, FacetedSurface>
+        obstacles;  ///< the obstacles that are not a plane, cylinder or sphere, by name
 };
 
 /// Builds the case from the contents of a case file; `source` names the effective design in errors. Throws Error (bad_input).

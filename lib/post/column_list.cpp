@@ -20,6 +20,7 @@ std::vector<Column> all_columns() {
     model::Step step;
     for (const model::MeasureInfo& info : model::measures) {
         model.outputs.push_back({std::string{"<"}.append(info.name).append(">"), "<face>", {}, info.measure});
+        if (info.object == model::MeasuredObject::obstacle) model.outputs.back().obstacle = "<obstacle>";
         step.outputs.push_back(0);
         step.output_errors.push_back(0);
     }

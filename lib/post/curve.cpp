@@ -108,7 +108,9 @@ void add_coordinates(std::vector<Entry>& entries, const model::Case& model) {
         add_item(entries,
                  coordinate(output.name, column_unit(output.measure), Source::output,
                             std::string{model::info_of(output.measure).meaning} + ": " +
-                                (output.point_m ? "a point" : output.face),
+                                (output.point_m            ? "a point"
+                                 : output.obstacle.empty() ? output.face
+                                                           : output.obstacle),
                             i),
                  i, &Step::outputs, &Step::tangent_outputs);
     }

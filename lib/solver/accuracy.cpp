@@ -202,6 +202,8 @@ model::LimitPoint limit_beside(const Rows& rows, std::size_t i) {
 
 void move_points(const Rows& rows, model::PathEnd& end) {
     for (auto& point : end.limit_points) point = limit_beside(rows, static_cast<std::size_t>(point.step));
+    for (auto& contact : end.first_contacts)
+        contact.at = moved(contact.at.step, rows[static_cast<std::size_t>(contact.at.step)].step, 0.0);
     for (auto& bifurcation : end.bifurcations)
         bifurcation.at = moved(bifurcation.at.step, rows[static_cast<std::size_t>(bifurcation.at.step)].step, 0.0);
 }

@@ -59,10 +59,37 @@ Mat BorderedSystem::matrix_for(Assemble what) {
 fem::Evaluation BorderedSystem::evaluate_at(const State& state, Assemble what) {
     const auto levels = loads_->levels(state.load_factor, state.pressures_Pa);
     const Mat matrix = matrix_for(what);
-    const auto evaluation = system.evaluate(state.x, levels, R, matrix, forces);
+    auto evaluation = system.evaluate(state.x, levels, R, matrix, forces);
+    if (evaluation.pattern_grew && matrix == K) {
+        system.contact().couple();
+        rebuild_pattern();
+        evaluation = system.evaluate(state.x, levels, R, matrix, forces);
+    }
     assembled_at_.reset();
     if (matrix == K && evaluation.admissible()) assembled_at_ = copy_of(state);
     return evaluation;
+}
+
+/// The linear solver and others keep the handle of K.
+void BorderedSystem::rebuild_pattern() {
+    Mat replacement = system.make_matrix().release();
+    SOFT_PETSC(MatHeaderReplace(K, &replacement));
+    spare_ = {};
+    linear.pattern_changed();
+    if (differences_) differences_.emplace(system, K, settings.tangent);
+    if (settings.linear.method == model::LinearMethod::jacobian_free) linear.set_operator(differences_->jacobian());
+    factor_is_recent = false;
+    assembled_at_.reset();
+}
+
+void BorderedSystem::couple_contact(const State& state) {
+    system.prescribe(loads_->levels(state.load_factor, state.pressures_Pa));
+    if (system.contact().couple(state.x)) rebuild_pattern();
+}
+
+double BorderedSystem::share_without_crossing(const State& from, const State& to) {
+    return system.contact().share_without_crossing(from.x, loads_->levels(from.load_factor, from.pressures_Pa), to.x,
+                                                   loads_->levels(to.load_factor, to.pressures_Pa));
 }
 
 /// A finite-difference tangent evaluates the system at other states afterwards.

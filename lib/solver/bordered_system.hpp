@@ -46,6 +46,11 @@ public:
     /// Change of R when the unknowns change in their last digits. Overwrites R.
     [[nodiscard]] double change_by_digits(const State& state, const fem::LoadLevels& levels);
 
+    /// The share of the way between two states before walls pass through each other or an obstacle (contact/potential.hpp).
+    [[nodiscard]] double share_without_crossing(const State& from, const State& to);
+    /// Gives K the pattern of the contact at a state of the path: what follows does not depend on the states tried before it.
+    void couple_contact(const State& state);
+
     /// Updates K, or the operator in its place, to the state last evaluated, without a factor.
     void differentiate(const State& state);
     /// A new factor of K; the reason where there is none.
@@ -80,6 +85,7 @@ public:
 
 private:
     [[nodiscard]] Mat matrix_for(Assemble what);
+    void rebuild_pattern();
 
     const StageLoads* loads_ = nullptr;
     bool loads_move_ = false;

@@ -15,6 +15,15 @@ linalg::Vector copy_of(Vec x) {
 
 State copy_of(const State& state) { return {copy_of(state.x), state.load_factor, state.pressures_Pa}; }
 
+State between(const State& a, const State& b, double share) {
+    State state = copy_of(a);
+    SOFT_PETSC(VecAXPBY(state.x, share, 1.0 - share, b.x));
+    state.load_factor = std::lerp(a.load_factor, b.load_factor, share);
+    for (std::size_t k = 0; k < a.pressures_Pa.size(); ++k)
+        state.pressures_Pa[k] = std::lerp(a.pressures_Pa[k], b.pressures_Pa[k], share);
+    return state;
+}
+
 std::string_view name(ConstraintKind kind) {
     switch (kind) {
         case ConstraintKind::load_factor: return "load factor";

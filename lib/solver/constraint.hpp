@@ -22,6 +22,8 @@ struct State {
 
 [[nodiscard]] linalg::Vector copy_of(Vec x);
 [[nodiscard]] State copy_of(const State& state);
+/// a + share (b - a)
+[[nodiscard]] State between(const State& a, const State& b, double share);
 
 enum class ConstraintKind { load_factor, volume, output, arc, pressure };
 

@@ -116,12 +116,14 @@ std::optional<ControlChange> better_control(const fem::System& system, const Pat
 }
 
 std::optional<ControlChange> control_after_failure(const fem::System& system, const PathState& path, bool too_short) {
-    const bool by_load = path.control.kind == ConstraintKind::load_factor;
-    if (by_load && stage_of(system.input(), path).control == Control::automatic)
-        return ControlChange{softer_control(system, *path.loads), "a step under the load factor fails"};
     if (path.control.kind == ConstraintKind::arc) return std::nullopt;
-    if (!too_short && path.attempts.failures < failures_before_other_control) return std::nullopt;
-    return ControlChange{{ConstraintKind::arc}, "steps under the " + std::string(name(path.control.kind)) + " fail"};
+    const bool is_free = path.control.kind == ConstraintKind::load_factor &&
+                         stage_of(system.input(), path).control == Control::automatic;
+    if (!is_free && !too_short && path.attempts.failures < failures_before_other_control) return std::nullopt;
+    const Constraint other = is_free ? softer_control(system, *path.loads) : Constraint{ConstraintKind::arc};
+    if (control_slope(other, *path.last) == 0.0) return std::nullopt;
+    return ControlChange{other, is_free ? "a step under the load factor fails"
+                                        : "steps under the " + std::string(name(path.control.kind)) + " fail"};
 }
 
 void set_control(fem::System& system, PathState& path, const Constraint& control) {

@@ -33,7 +33,8 @@ struct ControlChange {
 /// the steps towards a maximum become shorter and shorter.
 [[nodiscard]] std::optional<ControlChange> better_control(const fem::System& system, const PathState& path);
 
-/// After a failed step; `too_short`: the next one would be below solver.min_step.
+/// After a failed step; `too_short`: the next one would be below solver.min_step. None at rest, before an obstacle arrives: only the load
+/// factor changes there.
 [[nodiscard]] std::optional<ControlChange> control_after_failure(const fem::System& system, const PathState& path,
                                                                  bool too_short);
 

@@ -24,6 +24,8 @@ bool Corrector::correct(const Constraint& constraint, double target, State& stat
 
 std::optional<PathPoint> Corrector::solve_at(const Frame& frame, const Constraint& constraint, double target,
                                              State guess) {
+    if (const double share = newton_.share_without_crossing(frame.last.state, guess); share < 1.0)
+        guess = between(frame.last.state, guess, share);
     if (!correct(constraint, target, guess)) return std::nullopt;
     auto tangent = newton_.tangent(bind(frame.control, frame.last), guess);
     if (!tangent) {

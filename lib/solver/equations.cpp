@@ -247,9 +247,8 @@ void MotionEquations::add_damping(Vec out, double factor, Vec v) const {
 }
 
 void MotionEquations::add_matrices(Mat K, double by_velocity, double by_acceleration) const {
-    SOFT_PETSC(MatAXPY(K, by_acceleration + by_velocity * dynamics_.mass_damping_1_s, M_, SAME_NONZERO_PATTERN));
-    if (K0_.get() != nullptr)
-        SOFT_PETSC(MatAXPY(K, by_velocity * dynamics_.stiffness_damping_s, K0_, SAME_NONZERO_PATTERN));
+    linalg::add(K, by_acceleration + by_velocity * dynamics_.mass_damping_1_s, M_);
+    if (K0_.get() != nullptr) linalg::add(K, by_velocity * dynamics_.stiffness_damping_s, K0_);
 }
 
 double kinetic_energy(const MotionEquations& equations, Vec v) {

@@ -193,11 +193,31 @@ std::optional<Event> locate_bifurcation(Corrector& corrector, const PathState& p
                  std::move(mode)};
 }
 
+contact::Summary contact_at(Corrector& corrector, const PathState& path, const State& state) {
+    corrector.system().prescribe(path.loads->levels(state.load_factor, state.pressures_Pa));
+    return corrector.system().contact().measure(state.x);
+}
+
+/// Bisects on states of the path: a cubic between both states does not bend where the path does, at the contact.
+std::optional<Event> locate_first_contact(Corrector& corrector, const PathState& path, const PathPoint& to) {
+    if (!to.touches || path.last->touches) return std::nullopt;
+    std::optional<PathPoint> apart, touching;
+    for (int i = 0; i < contact_halvings; ++i) {
+        const PathPoint &a = apart ? *apart : *path.last, &b = touching ? *touching : to;
+        auto middle = corrector.solve_between(frame_of(path), a, b, 0.5 * (a.q + b.q));
+        if (!middle) break;
+        (middle->touches ? touching : apart) = std::move(middle);
+    }
+    const contact::Summary touch = contact_at(corrector, path, touching ? touching->state : to.state);
+    if (!touching) return std::nullopt;
+    return Event{Event::Kind::first_contact, std::move(*touching), 0, {}, touch.touched, *touch.location};
+}
+
 }  // namespace
 
 std::optional<ContactEvent> find_contact(Corrector& corrector, const PathState& path, const Listeners& listeners,
                                          PathPoint& point) {
-    if (!listeners.contact || corrector.input().path.contact == model::Contact::ignore) return std::nullopt;
+    if (!listeners.contact || corrector.input().path.contact != model::Contact::stop) return std::nullopt;
     const auto contact_at = [&](const PathPoint& at) {
         corrector.system().prescribe(at.levels);
         return listeners.contact(at.state.x);
@@ -221,6 +241,12 @@ std::optional<ContactEvent> find_contact(Corrector& corrector, const PathState& 
     }
     if (free) point = std::move(*free);
     return touching;
+}
+
+std::optional<ContactEvent> find_crossing(Corrector& corrector, const Listeners& listeners, const PathPoint& point) {
+    if (!listeners.contact || corrector.input().path.contact != model::Contact::solve) return std::nullopt;
+    corrector.system().prescribe(point.levels);
+    return listeners.contact(point.state.x);
 }
 
 Events events_before(const PathPoint& to, Corrector& corrector, const PathState& path, const Listeners& listeners) {
@@ -254,6 +280,7 @@ Events events_before(const PathPoint& to, Corrector& corrector, const PathState&
             event->modes = std::abs(*after - *before);
             events.list.push_back(std::move(*event));
         }
+    if (auto touch = locate_first_contact(corrector, path, to)) events.list.push_back(std::move(*touch));
     const double sense = path.direction();
     std::ranges::stable_sort(events.list,
                              [&](const Event& a, const Event& b) { return sense * a.point.q < sense * b.point.q; });

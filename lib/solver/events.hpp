@@ -8,11 +8,13 @@
 namespace soft::solver {
 
 struct Event {
-    enum class Kind { limit_point, control_extremum, bifurcation };
+    enum class Kind { limit_point, control_extremum, bifurcation, first_contact };
     Kind kind;
     PathPoint point;
     int modes = 0;                            ///< eigenvalues that pass through zero at a bifurcation
     std::optional<linalg::Vector> mode = {};  ///< of a bifurcation, largest displacement 1
+    int obstacle = -1;                        ///< of a first contact, as model::FirstContact
+    mesh::Point location_m{};
 };
 
 struct Events {
@@ -20,9 +22,14 @@ struct Events {
     std::string control_ends;  ///< why the user-selected control cannot continue beyond the first extremum; else empty
 };
 
-/// Walls that touch at `point`, which moves back to the last state without contact between the last row and itself.
+/// With path.contact: stop, walls that touch at `point`, which moves back to the last state without contact between the last row and
+/// itself.
 [[nodiscard]] std::optional<ContactEvent> find_contact(Corrector& corrector, const PathState& path,
                                                        const Listeners& listeners, PathPoint& point);
+
+/// With path.contact: solve, walls that pass through each other at `point`: contact is not resolved there.
+[[nodiscard]] std::optional<ContactEvent> find_crossing(Corrector& corrector, const Listeners& listeners,
+                                                        const PathPoint& point);
 
 /// The events between the last row and `to`.
 [[nodiscard]] Events events_before(const PathPoint& to, Corrector& corrector, const PathState& path,

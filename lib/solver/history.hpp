@@ -23,6 +23,7 @@ struct PathPoint {
     double load_work_J = 0;                     ///< of the loads since the path began, of the modelled part
     std::optional<double> step_work_J = {};     ///< of the loads since the point before, once it has been computed
     std::optional<double> stored_J = {};    ///< energy of the rubber, of the modelled part, once it has been computed
+    bool touches = false;                   ///< the actuator touches itself or an obstacle
     double leading = 0, leading_slope = 0;  ///< the load a curve shows (model::leading_load): [Pa], or the load factor
 };
 

@@ -16,8 +16,9 @@ constexpr double shortest = 0.05, longest = 4.0;
 
 /// Halves the length until `accept` returns true.
 template <class Accept>
-Search halve(const std::function<Trial(double)>& at, Accept&& accept) {
+Search halve(double longest, const std::function<Trial(double)>& at, Accept&& accept) {
     Search found;
+    found.length = longest;
     for (int attempt = 0;; ++attempt, found.length *= 0.5) {
         if (attempt == trial_limit) {
             found.end = found.trial.admissible ? SearchEnd::no_descent : SearchEnd::inverted;
@@ -29,13 +30,13 @@ Search halve(const std::function<Trial(double)>& at, Accept&& accept) {
     }
 }
 
-Search whole(const std::function<Trial(double)>& at) {
-    return halve(at, [](const Trial&, double) { return true; });
+Search whole(double longest, const std::function<Trial(double)>& at) {
+    return halve(longest, at, [](const Trial&, double) { return true; });
 }
 
 /// Secant method on the last two lengths: between them, or beyond the last where g has not changed sign.
 Search secant(const SearchStart& start, const std::function<Trial(double)>& at) {
-    Search found = whole(at);
+    Search found = whole(start.longest, at);
     if (found.end != SearchEnd::found) return found;
     const auto is_done = [&] {
         return found.trial.admissible && (found.trial.residual <= found.trial.floor ||
@@ -48,7 +49,7 @@ Search secant(const SearchStart& start, const std::function<Trial(double)>& at) 
         if (!std::isfinite(zero)) break;
         before = length;
         slope_before = slope;
-        found.length = std::clamp(zero, shortest, longest);
+        found.length = std::clamp(zero, shortest * start.longest, longest * start.longest);
         ++found.halvings;
         found.trial = at(found.length);
         if (!found.trial.admissible || !(std::abs(found.trial.slope) < best_slope)) continue;
@@ -66,12 +67,12 @@ Search secant(const SearchStart& start, const std::function<Trial(double)>& at) 
 Search search(model::LineSearch kind, const SearchStart& start, const std::function<Trial(double)>& at) {
     switch (kind) {
         case model::LineSearch::backtracking:
-            return halve(at, [&](const Trial& trial, double length) {
+            return halve(start.longest, at, [&](const Trial& trial, double length) {
                 return trial.residual <=
                        std::max(trial.floor, start.allowed_rise * start.pending * (1.0 - sufficient_decrease * length));
             });
         case model::LineSearch::secant: return secant(start, at);
-        case model::LineSearch::none: return whole(at);
+        case model::LineSearch::none: return whole(start.longest, at);
     }
     return {};
 }

@@ -23,6 +23,7 @@ struct SearchStart {
     double pending = 0;       ///< |R| and the loads not yet applied, as a force
     double allowed_rise = 1;  ///< of the residual over `pending`, backtracking only
     double slope = 0;         ///< g(0)
+    double longest = 1;       ///< first length that is tried (contact: walls that a longer step would pass through)
 };
 
 enum class SearchEnd { found, no_descent, inverted };

@@ -50,7 +50,7 @@ void MotionFollower::append() {
                       core::counted(step.newton_iterations, "iteration"));
     ++rows_;
     listeners_.step(step, last_.x);
-    if (listeners_.contact && input_.path.contact == model::Contact::stop)
+    if (listeners_.contact && input_.path.contact != model::Contact::ignore)  // with contact forces: not resolved
         if (const auto touching = listeners_.contact(last_.x))
             finish(touching->reason,
                    touching->end_at(short_text(last_.time_s) + " s, " + solver::state_text(point, input_)));

@@ -233,7 +233,16 @@ Search Newton::move(const Increment& step, const State& state, State& trial, Cor
         return work;
     };
     const bool slopes = now.line_search == model::LineSearch::secant;
-    SearchStart start{step.pending, now.result.iterations == 1 ? first_iteration_rise : 1.0, 0.0};
+    const auto set = [&](State& there, double length) {
+        linalg::copy(state.x, there.x);
+        linalg::add(there.x, length, correction_);
+        there.load_factor = state.load_factor + length * step.loads.back();
+        for (std::size_t k = 0; k < there.pressures_Pa.size(); ++k)
+            there.pressures_Pa[k] = state.pressures_Pa[k] + length * step.loads[k];
+    };
+    set(trial, 1.0);
+    SearchStart start{step.pending, now.result.iterations == 1 ? first_iteration_rise : 1.0, 0.0,
+                      bordered_.share_without_crossing(state, trial)};
     if (slopes) start.slope = -linalg::dot(bordered_.R, correction_) - work_of_loads();
     if (bordered_.settings.newton == model::NewtonMethod::bfgs) {
         linalg::copy(bordered_.R, minus_R_before_);
@@ -244,11 +253,7 @@ Search Newton::move(const Increment& step, const State& state, State& trial, Cor
     const auto what = bordered_.settings.newton == model::NewtonMethod::full ? BorderedSystem::Assemble::tangent
                                                                              : BorderedSystem::Assemble::forces;
     return search(now.line_search, start, [&](double length) {
-        linalg::copy(state.x, trial.x);
-        linalg::add(trial.x, length, correction_);
-        trial.load_factor = state.load_factor + length * step.loads.back();
-        for (std::size_t k = 0; k < trial.pressures_Pa.size(); ++k)
-            trial.pressures_Pa[k] = state.pressures_Pa[k] + length * step.loads[k];
+        set(trial, length);
         now.evaluation = bordered_.evaluate_at(trial, what);
         if (!now.evaluation.admissible()) return Trial{.admissible = false};
         const double floor =

@@ -81,6 +81,12 @@ public:
     [[nodiscard]] int confirmed_pivots() const noexcept { return confirmed_pivots_; }
     void confirm_pivots(int pivots) noexcept { confirmed_pivots_ = pivots; }
 
+    /// See BorderedSystem.
+    [[nodiscard]] double share_without_crossing(const State& from, const State& to) {
+        return bordered_.share_without_crossing(from, to);
+    }
+    void couple_contact(const State& state) { bordered_.couple_contact(state); }
+
     [[nodiscard]] int factorizations() const noexcept { return bordered_.linear.factorizations(); }
     [[nodiscard]] long linear_iterations() const noexcept { return bordered_.linear.iterations(); }
 

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "fem/rigid_motion.hpp"
+#include "model/location.hpp"
 #include "solver/control.hpp"
 #include "solver/kink.hpp"
 #include "solver/path_end.hpp"
@@ -25,6 +26,8 @@ namespace {
 /// Factor on min_step under arc-length control. The arc length is that of the whole body: a fold in which only one cell snaps through
 /// turns within a very small fraction of any other step.
 constexpr double arc_of_one_cell = 1e-3;
+/// Of the step in which the actuator touches something for the first time.
+constexpr double step_after_contact = 0.05;
 /// Of a failed step.
 constexpr double cut_of_failed_step = 0.4;
 
@@ -101,6 +104,7 @@ void PathFollower::step() {
     if (auto stop = stop_before_step(path_, input_)) return finish(std::move(*stop));
     if (path_.rows > last_row_of_stage(path_, input_)) return end_stage("number of steps");
 
+    corrector_.newton().couple_contact(path_.last->state);
     const Aim aim = aim_of(path_, corrector_);
     auto point =
         corrector_.solve_at(frame_of(path_), aim.constraint, aim.target, guess_of(aim, path_, input_.solver.predictor));
@@ -111,6 +115,8 @@ void PathFollower::step() {
         path_.attempts.rejected_error = error.state;
         return recover();
     }
+    path_.attempts.crossing = find_crossing(corrector_, listeners_, *point);
+    if (path_.attempts.crossing) return recover();
     const bool may_jump = system_.has_fibers() && path_.attempts.failures < failures_before_kink;
     if (may_jump && breaks_energy_balance(corrector_, path_, *point)) return recover();
     const double taken = point->q - path_.last->q;
@@ -156,7 +162,19 @@ bool PathFollower::pass_events(Events events) {
                 path_.end.bifurcations.back().mode = system_.fields().gather(*event.mode).displacement_m;
             }
         }
+        if (event.kind == Event::Kind::first_contact) {
+            const auto& contact =
+                path_.end.first_contacts.emplace_back(model::FirstContact{location, event.obstacle, event.location_m});
+            listeners_.report("first contact at " + describe(event.point) + ": " +
+                              model::contact_text(input_, contact));
+        }
         recorder_.append(path_, event.point);
+        if (event.kind == Event::Kind::first_contact) {  // the path bends here: it is not predicted from before
+            path_.last = std::move(event.point);
+            path_.before.reset();
+            path_.step = round_step_size(step_after_contact * path_.step);
+            return true;
+        }
         if (event.kind == Event::Kind::bifurcation) {
             if (take_branch(event)) return true;
         } else if (!events.control_ends.empty()) {
@@ -207,7 +225,10 @@ void PathFollower::recover() {
     const NewtonResult attempt = corrector_.last_result();
     const int failures = ++path_.attempts.failures;
     const double failed = std::exchange(path_.step, path_.step * cut_of_failed_step);
-    report_row(attempt_text(failed, path_.step, attempt));
+    report_row(path_.attempts.crossing
+                   ? path_.attempts.crossing->text + ", and walls pass through each other: step cut to " +
+                         short_text(path_.step)
+                   : attempt_text(failed, path_.step, attempt));
     if (is_first_try(system_, path_, path_.step)) path_.first_step = path_.step;
     const double share = std::abs(path_.step / path_.first_step) / input_.solver.min_step;
     const bool too_short = share < 1.0;
@@ -228,6 +249,9 @@ void PathFollower::recover() {
     const double known = equilibrium_margin * input_.solver.residual_tolerance * linalg::norm(path_.last->state.x);
     if (!too_short || (share >= arc_of_one_cell && std::abs(path_.step) >= known && !is_nearly_inverted(attempt)))
         return;
+    if (const auto& crossing = path_.attempts.crossing)
+        return finish({crossing->reason, crossing->text + " at " + describe(*path_.last) +
+                                             ", and the contact is not resolved; use smaller cells there (mesh.size)"});
     listeners_.report("no step converges: use smaller cells (mesh.size)");
     finish(stop_without_step(path_, input_, attempt));
 }

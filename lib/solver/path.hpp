@@ -55,7 +55,9 @@ struct ContactEvent {
     /// Message for a path that ends in this state; `state`: its values.
     [[nodiscard]] std::string end_at(const std::string& state) const {
         const bool inverted = reason == model::StopReason::inverted_element;
-        return text + " at " + state + (inverted ? "; use smaller cells there (mesh.size)" : "");
+        return text + " at " + state +
+               (inverted ? "; use smaller cells there (mesh.size)"
+                         : "; path.contact: solve continues with contact forces");
     }
 };
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/goals.hpp"
+#include "solver/path.hpp"
 #include "solver/visited_states.hpp"
 
 namespace soft::solver {
@@ -19,6 +20,7 @@ struct Stop {
 struct Attempts {
     int failures = 0;                                            ///< in a row
     std::optional<double> rejected_error, rejected_curve_error;  ///< of the predictor, in the last attempt
+    std::optional<ContactEvent> crossing;  ///< walls that passed through each other in the last attempt
 };
 
 struct PathState {

@@ -95,6 +95,7 @@ void read_values(fem::System& system, const LoadLevels& levels, const LoadLevels
         point.outputs.push_back(value);
         point.output_slopes.push_back(linalg::dot(gradient, point.tangent.x) + fem::product(by_levels, slopes));
     }
+    point.touches = system.contact().measure(point.state.x).touches();
     point.leading = leading_of(input, levels, point.state.load_factor);
     point.leading_slope = leading_of(input, slopes, point.tangent.load_factor);
 }

@@ -79,7 +79,9 @@ bool StageSolver::factorize_here(double by_velocity, double by_acceleration) {
 }
 
 bool StageSolver::factorize(Vec x, const fem::LoadLevels& levels, double by_velocity, double by_acceleration) {
-    return equations_.evaluate(x, levels, J_).admissible() && factorize_here(by_velocity, by_acceleration);
+    const auto evaluation = equations_.evaluate(x, levels, J_);
+    if (evaluation.pattern_grew) solver_.pattern_changed();
+    return evaluation.admissible() && factorize_here(by_velocity, by_acceleration);
 }
 
 bool StageSolver::solve_linear(Vec b, std::span<const LineRow> rows, Vec dx, std::vector<double>& dp) {
@@ -145,6 +147,7 @@ double StageSolver::balance(const MotionState& state, const fem::Evaluation& eva
 fem::Evaluation StageSolver::evaluate(const MotionState& state, std::span<const double> pressures, Mat K,
                                       NewtonResult& result) {
     const auto evaluation = equations_.evaluate(state.x, equations_.levels(state.time_s, pressures), K);
+    if (evaluation.pattern_grew) solver_.pattern_changed();
     result.min_jacobian = evaluation.min_jacobian;
     result.worst_cell = evaluation.worst_cell;
     return evaluation;

@@ -24,8 +24,8 @@ constexpr double error_at_a_kink = 0.8;
 constexpr double load_share = 0.45;
 /// Near a limit point the load's error is relative to this fraction of the load, not to its change.
 constexpr double flat_load = 0.1;
-/// With fibres the error of the state is relative to at least this fraction of the state: each point whose fibres go taut or slack
-/// puts a kink into the path, beside which the error relative to a shorter step does not decrease.
+/// With fibres and in contact, the error of the state is relative to at least this fraction of the state: each point whose fibres go
+/// taut or slack, or which begins to touch, bends the path, and the error relative to a shorter step does not decrease.
 constexpr double min_kinked_step = 0.1;
 /// Bounds of the step-size factor from one step to the next.
 constexpr double max_growth = 2.5, growth_of_linear_steps = 100.0, min_shrink = 0.3, min_retake = 0.1;
@@ -91,7 +91,7 @@ PredictorError error_of(const fem::System& system, const PathState& path, const 
     const double unknown = equilibrium_margin * settings.residual_tolerance;
     const double error = distance(aim.forecast.x, point.state.x), change = distance(point.state.x, path.last->state.x);
     const double size = linalg::norm(point.state.x), negligible = negligible_error * settings.step_accuracy;
-    const double step = std::max(change, system.has_fibers() ? min_kinked_step * size : 0.0);
+    const double step = std::max(change, system.has_fibers() || point.touches ? min_kinked_step * size : 0.0);
     const double load = std::abs(point.leading);
     const double load_error = std::abs(leading_of(system.input(), *path.loads, aim.forecast) - point.leading);
     const double load_step = std::max(std::abs(point.leading - path.last->leading), flat_load * load);

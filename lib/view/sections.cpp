@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/text.hpp"
+#include "model/location.hpp"
 #include "post/csv.hpp"
 #include "post/gnuplot.hpp"
 #include "view/text.hpp"
@@ -13,7 +14,7 @@ namespace {
 
 std::string paragraph(const std::string& text) { return "<p>" + escaped(text) + "</p>\n"; }
 
-/// The values at a limit point or bifurcation: "pressure 44.3 kPa, elongation 20 mm".
+/// The values at a limit point, bifurcation or first contact: "pressure 44.3 kPa, elongation 20 mm".
 std::string location_text(const post::Curve& curve, const model::LimitPoint& point) {
     std::vector<std::string> words;
     for (const post::Column& column : curve.columns)
@@ -61,6 +62,9 @@ std::string summary_section(const Content& content) {
         html += paragraph("Limit point: " + location_text(content.curve, point) + ".");
     for (const model::Bifurcation& branch : end->bifurcations)
         html += paragraph("Bifurcation: " + location_text(content.curve, branch.at) + ".");
+    for (const model::FirstContact& contact : end->first_contacts)
+        html += paragraph("First contact: " + location_text(content.curve, contact.at) + ": " +
+                          model::contact_text(result.model, contact) + ".");
     return html;
 }
 

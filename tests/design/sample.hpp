@@ -48,6 +48,12 @@ inline FamilyKeys pipe() {
         {.path = "geometry.skew", .kind = Kind::angle, .fallback = "0 deg", .meaning = "angle of the fold"},
     };
     family.models = {"axisymmetric", "solid", "quarter"};
+    family.obstacles = {{"plane",
+                         {{.path = "plane.point", .kind = Kind::length, .meaning = "a point", .max_count = 3},
+                          {.path = "plane.normal", .kind = Kind::ratio, .meaning = "the normal", .max_count = 3}}},
+                        {"surface",
+                         {{.path = "surface", .kind = Kind::text, .meaning = "a file"},
+                          choice_key("unit", "mm", {"mm", "m"}, "unit of the file")}}};
     family.faces = {"fixed", "inlet", "cavity", "outer"};
     family.aliases = {{"end_disc", "fixed"}};
     family.defaults =

@@ -93,6 +93,10 @@ model::Case section_case() {
                         {"end_disc", force, {0, 250.0, 0}, table, 4.5e-4},
                         {"gravity", gravity, {-9.81, 0, 0}, {model::TimeFunctionKind::step, 0, 0, {}, {}}}};
     model.motions = {{"inlet", {-2e-3, std::nullopt, std::nullopt}}, {"end_disc", {0.0, 1e-3, std::nullopt}}};
+    model.obstacles = {{"wall", model::Plane{{0.9, 0, 0}, {-1, 0, 0}}},
+                       {"die", model::FacetedSurface{{{0.5, 1, 0}, {1.0 / 3, 1.5, 0}, {0.7, 2, 0}},
+                                                     {{0, 1, -1}, {1, 2, -1}, {2, 0, -1}}}}};
+    model.contact = {.self = false};
     model.outputs = {{"elongation", "inlet", {-1, 0, 0}},
                      {"bend", "cavity", {0.6, 0.8, 0}, model::Measure::bend, "end_disc"}};
     model.path.stages = {
@@ -209,7 +213,11 @@ model::Shape shape_of(const model::Case& model) {
                        model.supports,
                        model.cavities,
                        {},
+                       {},
                        {}};
+    for (const model::Obstacle& obstacle : model.obstacles)
+        if (const auto* faceted = std::get_if<model::FacetedSurface>(&obstacle.shape))
+            shape.obstacles[obstacle.name] = *faceted;
     for (const model::Material& material : model.materials) {
         shape.region_materials[material.name] = "paper";
         if (material.fibers) shape.region_fibers[material.name] = {*material.fibers, material.fiber_frame};
@@ -228,6 +236,9 @@ model::CaseBuilder builder_of(const model::Case& like) {
         model.kinematics = shape.kinematics;
         model.supports = shape.supports;
         model.cavities = shape.cavities;
+        for (model::Obstacle& obstacle : model.obstacles)
+            if (const auto faceted = shape.obstacles.find(obstacle.name); faceted != shape.obstacles.end())
+                obstacle.shape = faceted->second;
         return model;
     };
 }
@@ -299,7 +310,7 @@ std::vector<double> example_pressure(int number) {
 }
 
 model::PathEnd example_end() {
-    model::PathEnd end{model::StopReason::limit_point, "the pressure has a maximum", {}, {}, 21, 17};
+    model::PathEnd end{model::StopReason::limit_point, "the pressure has a maximum", {}, {}, {}, 21, 17};
     end.limit_points = {{1, 44338.7, 2e-5, {0.01345, 0}}};
     end.bifurcations.resize(2);
     end.bifurcations[0].at = {0, 26e3, 1.8e-5, {0.011, 0.1}};

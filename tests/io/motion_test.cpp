@@ -22,7 +22,7 @@ Image motion_image(int rows) {
     const Image given = dynamic_image();
     ResultWriter writer{{given, "case.h5", dynamic_case()}, example_provenance("solve"), {}};
     for (int i = 0; i < rows; ++i) writer.append(moving_step(i), displacement(), {});
-    return writer.finish({model::StopReason::done, "0.75 s", {}, {}, 9, 8});
+    return writer.finish({model::StopReason::done, "0.75 s", {}, {}, {}, 9, 8});
 }
 
 TEST(DynamicCase, RowsReadBackWithTimeAndEnergies) {

@@ -176,6 +176,19 @@ const std::vector<Corruption>& corruptions() {
          "/shape/fibers/frame[0]: 'hyperbolic'"},
         {"FamiliesBeyondInt", [](hid_t f) { overwrite(f, "/shape/fibers/families", 0, Integers{1LL << 32}); },
          "/shape/fibers/families"},
+        {"ObstacleWithoutFacets",
+         [](hid_t f) {
+             replace<std::int64_t>(f, "/shape/obstacles/die", "facets", {}, {0, 3});
+         },
+         "/shape/obstacles/die/facets: there are no facets"},
+        {"ObstacleOfAnUnknownPoint", [](hid_t f) { overwrite(f, "/shape/obstacles/die/facets", 1, Integers{3}); },
+         "/shape/obstacles/die/facets[0]: names a point that does not exist"},
+        {"TriangleInASection", [](hid_t f) { overwrite(f, "/shape/obstacles/die/facets", 2, Integers{2}); },
+         "/shape/obstacles/die/facets[0]: names a point that does not exist"},
+        {"DegenerateFacet", [](hid_t f) { overwrite(f, "/shape/obstacles/die/facets", 1, Integers{0}); },
+         "/shape/obstacles/die/facets[0]: is degenerate"},
+        {"ObstacleBesideTheSection", [](hid_t f) { overwrite(f, "/shape/obstacles/die/points", 2, Numbers{0.1}); },
+         "/shape/obstacles/die/points[0]: is not a point of the model"},
         {"ListsOfDifferentLength",
          [](hid_t f) {
              replace<double>(f, "/shape/cavities/openings", "area", {1, 2, 3});

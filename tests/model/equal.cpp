@@ -16,6 +16,35 @@ void expect_equal(const Material& left, const Material& right) {
     EXPECT_EQ(left.source, right.source);
 }
 
+void expect_equal(const FacetedSurface& left, const FacetedSurface& right) {
+    EXPECT_EQ(left.points, right.points);
+    EXPECT_EQ(left.facets, right.facets);
+}
+
+void expect_equal(const Plane& left, const Plane& right) {
+    EXPECT_EQ(left.point, right.point);
+    EXPECT_EQ(left.normal, right.normal);
+}
+
+void expect_equal(const Cylinder& left, const Cylinder& right) {
+    EXPECT_EQ(left.point, right.point);
+    EXPECT_EQ(left.axis, right.axis);
+    EXPECT_EQ(left.radius_m, right.radius_m);
+    EXPECT_EQ(left.side, right.side);
+}
+
+void expect_equal(const Sphere& left, const Sphere& right) {
+    EXPECT_EQ(left.center, right.center);
+    EXPECT_EQ(left.radius_m, right.radius_m);
+    EXPECT_EQ(left.side, right.side);
+}
+
+void expect_equal(const Obstacle& left, const Obstacle& right) {
+    EXPECT_EQ(left.name, right.name);
+    ASSERT_EQ(left.shape.index(), right.shape.index());
+    std::visit([&]<class Shape>(const Shape& shape) { expect_equal(shape, std::get<Shape>(right.shape)); }, left.shape);
+}
+
 void expect_equal(const Support& left, const Support& right) {
     EXPECT_EQ(left.face, right.face);
     EXPECT_EQ(left.fixed, right.fixed);
@@ -114,6 +143,11 @@ void expect_equal(const Shape& left, const Shape& right) {
     expect_all(left.supports, right.supports, [](const auto& a, const auto& b) { expect_equal(a, b); });
     expect_all(left.cavities, right.cavities, [](const auto& a, const auto& b) { expect_equal(a, b); });
     EXPECT_EQ(left.region_materials, right.region_materials);
+    ASSERT_EQ(left.obstacles.size(), right.obstacles.size());
+    for (const auto& [name, surface] : left.obstacles) {
+        ASSERT_TRUE(right.obstacles.contains(name)) << name;
+        expect_equal(surface, right.obstacles.at(name));
+    }
     ASSERT_EQ(left.region_fibers.size(), right.region_fibers.size());
     for (const auto& [region, winding] : left.region_fibers) {
         ASSERT_TRUE(right.region_fibers.contains(region)) << region;
@@ -164,7 +198,10 @@ void expect_equal(const Case& left, const Case& right) {
         EXPECT_EQ(a.measure, b.measure);
         EXPECT_EQ(a.reference, b.reference);
         EXPECT_EQ(a.point_m, b.point_m);
+        EXPECT_EQ(a.obstacle, b.obstacle);
     });
+    expect_all(left.obstacles, right.obstacles, [](const auto& a, const auto& b) { expect_equal(a, b); });
+    EXPECT_EQ(left.contact.self, right.contact.self);
     expect_all(left.path.stages, right.path.stages, [](const auto& a, const auto& b) { expect_equal(a, b); });
     EXPECT_EQ(left.path.branch, right.path.branch);
     EXPECT_EQ(left.path.imperfection_m, right.path.imperfection_m);

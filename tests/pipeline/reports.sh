@@ -15,6 +15,20 @@ for key in steps newton_iterations factorizations unknowns wall_s cpu_s peak_mem
 done
 claim "the limit point is 44.34 kPa" within "$(json solve.json limit_points 0 pressure_Pa)" 44317 44361
 claim "postprocess reports it in the units of the table" within "$(json curve.json limit_points 0 pressure_kPa)" 44.317 44.361
+
+# A tube touches its sleeve at 13.023 kPa, less the thickness of the contact layer.
+runs 'mesh-gen designs/verification/contact-sleeve.yaml --set loads.cavity.pressure=20kPa | solve --json touch.json | postprocess --json touches.json -o touch.csv'
+claim "solve reports the first contact" grep -q '^solve: first contact at 1[23]\.[0-9]* kPa, bore .*: the actuator touches the obstacle .sleeve. at x = ' "$seen/err"
+claim "postprocess reports it" grep -q '^postprocess: first contact: pressure_kPa 1[23].*: the actuator touches the obstacle .sleeve. at x = ' "$seen/err"
+for summary in touch.json touches.json; do
+    claim "the event is a first contact" has first_contact "$summary" events 0 kind
+    claim "the event names the obstacle" has sleeve "$summary" events 0 obstacle
+    claim "the event contains its text" has 'the actuator touches *' "$summary" events 0 text
+    claim "the contact is at the outer radius" within "$(awk -v x="$(json "$summary" events 0 location_mm 0)" -v y="$(json "$summary" events 0 location_mm 1)" 'BEGIN { print sqrt(x * x + y * y) }')" 12.49 12.51
+done
+claim "the first contact is at 13.02 kPa" within "$(json touch.json events 0 pressure_Pa)" 12900 13024
+claim "postprocess reports it in the units of the table" within "$(json touches.json events 0 pressure_kPa)" 12.9 13.024
+
 claim "the number of rows is correct" [ "$(json curve.json rows)" = "$(column step curve.csv | wc -l)" ]
 
 runs 'sweep-plan designs/sweeps/rod.yaml --json sweep.json > plan.csv'

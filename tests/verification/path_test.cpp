@@ -141,7 +141,9 @@ double min_gap_m(const Run& run, double apart_m) {
 }
 
 TEST(BellowsUnderVacuum, EndsAtSelfContactOfTheFoldsOnEveryMesh) {
-    const auto run = run_design("vacuum.yaml", {}), finer = run_design("vacuum.yaml", {"mesh.size=1 mm"});
+    const std::string until_contact = "path.contact=stop";
+    const auto run = run_design("vacuum.yaml", {until_contact}),
+               finer = run_design("vacuum.yaml", {until_contact, "mesh.size=1 mm"});
     constexpr double apart_m = 1.5e-3, cell_m = 1e-3;  // the bends of the folds are 0.8 mm long
     for (const verification::Run* each : {&run, &finer}) {
         EXPECT_EQ(each->end.reason, model::StopReason::self_contact);
@@ -163,7 +165,8 @@ TEST(Plate, FollowsTheSnapThroughOfSingleCells) {
         "material={law: mooney-rivlin, c10: 5.0108 kPa, c01: 0.71213 kPa, kappa: 227.81 kPa}",
         "mesh={size: 1.8157 mm, formulation: displacement, grading: 16}",
         "loads={bottom: {pressure: 6.2042 kPa}}",
-        "path.stretch_limit=7.6889"};
+        "path.stretch_limit=7.6889",
+        "path.contact=stop"};  // not reached; contact forces in the crease at the clamp would change the snap-throughs
     const auto with_accuracy = [&](const std::string& accuracy) {
         auto changes = soft;
         changes.push_back("solver.step_accuracy=" + accuracy);

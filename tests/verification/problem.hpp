@@ -65,7 +65,7 @@ struct Problem {
 [[nodiscard]] std::vector<Problem> actuator_problems();
 [[nodiscard]] std::vector<Problem> family_problems();
 [[nodiscard]] std::vector<Problem> work_problems();
-[[nodiscard]] std::vector<Problem> contact_problems();
+[[nodiscard]] std::vector<Problem> closing_wall_problems();
 [[nodiscard]] std::vector<Problem> panel_problems();
 [[nodiscard]] std::vector<Problem> sheared_layer_problems();
 [[nodiscard]] std::vector<Problem> sample_problems();
@@ -74,6 +74,7 @@ struct Problem {
 [[nodiscard]] std::vector<Problem> motion_problems();
 [[nodiscard]] std::vector<Problem> error_bar_problems();
 [[nodiscard]] std::vector<Problem> reaction_problems();
+[[nodiscard]] std::vector<Problem> contact_problems();
 
 /// All problems, in the order of the README.
 [[nodiscard]] std::vector<Problem> all_problems();

@@ -1,0 +1,268 @@
+#include "contact/contact_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "mesh/shape.hpp"
+#include "surface/free_facets.hpp"
+
+namespace soft::contact {
+
+namespace {
+
+using mesh::Index;
+using mesh::Point;
+using surface::FacetPoint;
+
+/// Cosine of the angle between the normals of facets that face each other and the direction between them.
+constexpr double facing = 0.5;
+/// Facets that face away from each other within this many facet sizes have rubber between them.
+constexpr double thickest_wall_in_facets = 3;
+/// Boxes of the nodes grow by this fraction of their longest side, because a curved facet reaches beyond its nodes.
+constexpr double beyond_nodes = 0.2;
+/// Parts of a line with a rule each. A point that slides over a corner of the other side makes the equilibrium unstable unless its
+/// force over its gap is small against the stiffness of the cells.
+constexpr int line_parts = 4;
+/// k over E_0, and h over the median size of the free facets. Where h jumps from facet to facet, so does the contact pressure.
+constexpr double stiffness_share = 0.1, distance_share = 1e-2;
+
+void add_point(SampleRule& rule, const FacetPoint& xi, double weight) {
+    for (std::size_t q = 0; q < rule.xi.size(); ++q)
+        if (std::hypot(rule.xi[q][0] - xi[0], rule.xi[q][1] - xi[1]) < 1e-9) {
+            rule.weights[q] += weight;
+            return;
+        }
+    rule.xi.push_back(xi);
+    rule.weights.push_back(weight);
+}
+
+void add_triangle(SampleRule& rule, const std::array<FacetPoint, 3>& corners, double area) {
+    const auto mean = [](std::initializer_list<FacetPoint> points) {
+        FacetPoint sum{};
+        for (const FacetPoint& p : points)
+            for (std::size_t d = 0; d < 2; ++d) sum[d] += p[d] / static_cast<double>(points.size());
+        return sum;
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+        add_point(rule, corners[k], area / 20);
+        add_point(rule, mean({corners[k], corners[(k + 1) % 3]}), area * 2 / 15);
+    }
+    add_point(rule, mean({corners[0], corners[1], corners[2]}), area * 9 / 20);
+}
+
+/// The box of a facet grows by this much.
+double margin_of(const surface::Box& box, double distance_m) {
+    double longest = 0;
+    for (std::size_t d = 0; d < 3; ++d) longest = std::max(longest, box.high[d] - box.low[d]);
+    return distance_m + beyond_nodes * longest;
+}
+
+surface::Box box_of_nodes(const Patch& map) {
+    return box_of(std::span{map.nodes}.first(static_cast<std::size_t>(mesh::node_count(map.type))));
+}
+
+surface::Box grown(surface::Box box, double margin_m) {
+    for (std::size_t d = 0; d < 3; ++d) {
+        box.low[d] -= margin_m;
+        box.high[d] += margin_m;
+    }
+    return box;
+}
+
+Point middle_of(const Patch& map) {
+    const auto xi = mesh::reference_centre(map.type);
+    return map({xi[0], xi[1]}).x;
+}
+
+Vector3 normal_at(const Patch& map, const FacetPoint& xi) {
+    const auto at = map(xi);
+    return cross(at.t1, at.t2);
+}
+
+Vector3 unit(const Vector3& v) { return norm(v) > 0 ? along({}, 1 / norm(v), v) : v; }
+
+/// Whether the middle of `a` lies behind the facet `b`.
+bool is_behind(const Patch& a, const Patch& b, double within_m) {
+    const ClosestPoint closest = closest_point(b, middle_of(a));
+    const Vector3 arm = difference(middle_of(a), b(closest.xi).x);
+    return closest.distance_m < within_m && dot(arm, normal_at(b, closest.xi)) < 0;
+}
+
+}  // namespace
+
+SampleRule sample_rule(mesh::CellType facet) {
+    const std::array<double, 5> s{-1, -std::sqrt(3.0 / 7), 0, std::sqrt(3.0 / 7), 1},
+        w{0.1, 49.0 / 90, 32.0 / 45, 49.0 / 90, 0.1};
+    SampleRule rule;
+    const mesh::Shape shape = mesh::topology(facet).shape;
+    if (shape == mesh::Shape::triangle) {
+        const FacetPoint a{0, 0}, b{1, 0}, c{0, 1}, ab{0.5, 0}, bc{0.5, 0.5}, ca{0, 0.5};
+        for (const auto& part :
+             {std::array{a, ab, ca}, std::array{ab, b, bc}, std::array{ca, bc, c}, std::array{ab, bc, ca}})
+            add_triangle(rule, part, 0.125);
+    } else if (shape == mesh::Shape::line) {
+        for (int part = 0; part < line_parts; ++part)
+            for (std::size_t i = 0; i < 5; ++i)
+                add_point(rule, {(2 * part + 1 + s[i]) / line_parts - 1, 0}, w[i] / line_parts);
+    } else {
+        for (std::size_t j = 0; j < 5; ++j)
+            for (std::size_t i = 0; i < 5; ++i) add_point(rule, {s[i], s[j]}, w[i] * w[j]);
+    }
+    for (const FacetPoint& xi : rule.xi)
+        for (const mesh::ShapeValue& value : mesh::shape_values(facet, {xi[0], xi[1], 0}))
+            rule.N.push_back(value.value);
+    return rule;
+}
+
+bool are_facing(const ContactSurface::Entry& entry, std::size_t q, const Patch& other, const ClosestPoint& closest) {
+    const Vector3 its = unit(normal_at(other, closest.xi)), arm = unit(difference(entry.X[q], other(closest.xi).x));
+    const auto faces = [&](const Vector3& n) { return is_facing(entry.undeformed, entry, q, n); };
+    return faces(its) && dot(arm, its) > facing && faces(arm);
+}
+
+bool is_facing(const Patch& patch, const ContactSurface::Entry& entry, std::size_t q, const Vector3& normal) {
+    return dot(unit(normal_at(patch, entry.rule->xi[q])), unit(normal)) < -facing;
+}
+
+NormalCone normals(const Patch& facet) {
+    const auto& topology = mesh::topology(facet.type);
+    std::array<Vector3, 9> n{};
+    NormalCone cone;
+    const auto count = static_cast<std::size_t>(topology.node_count);
+    for (std::size_t a = 0; a < count; ++a) {
+        n[a] = normal_at(facet, {topology.nodes[a][0], topology.nodes[a][1]});
+        const double length = norm(n[a]);
+        for (std::size_t d = 0; d < 3 && length > 0; ++d) cone.axis[d] += (n[a][d] /= length);
+    }
+    const double length = norm(cone.axis);
+    if (length == 0) return {{}, std::numbers::pi};
+    for (double& component : cone.axis) component /= length;
+    for (std::size_t a = 0; a < count; ++a)
+        cone.angle = std::max(cone.angle, std::acos(std::clamp(dot(cone.axis, n[a]), -1.0, 1.0)));
+    return cone;
+}
+
+ContactSurface::ContactSurface(const model::Case& model, std::span<const double> modulus_Pa)
+    : dimension_(static_cast<std::size_t>(model.mesh.dimension)),
+      is_revolved_(model.kinematics == model::Kinematics::axisymmetric) {
+    std::vector<double> sizes;
+    for (const mesh::Facet& facet : surface::free_facets(model)) {
+        Entry entry;
+        entry.facet = facet;
+        entry.nodes = mesh::facet_nodes(model.mesh, facet);
+        for (const Index corner : mesh::facet_corners(model.mesh, facet))
+            entry.corners.push_back(static_cast<std::size_t>(corner));
+        entry.undeformed = make_patch(surface::facet_map(model.mesh, facet, model.mesh.points));
+        const mesh::CellType type = entry.undeformed.type;
+        if (!rules_.contains(type)) rules_.emplace(type, sample_rule(type));
+        entry.rule = &rules_.at(type);
+        double area = 0;
+        for (std::size_t q = 0; q < entry.rule->xi.size(); ++q) {
+            const auto at = entry.undeformed(entry.rule->xi[q]);
+            const double share = entry.rule->weights[q] * norm(cross(at.t1, at.t2));
+            area += share;
+            entry.X.push_back(at.x);
+            entry.weight_m2.push_back(share * (is_revolved_ ? 2 * std::numbers::pi * at.x[1] : 1));
+        }
+        entry.size_m = dimension_ == 2 ? area : std::sqrt(area);
+        entry.stiffness_Pa =
+            stiffness_share *
+            modulus_Pa[static_cast<std::size_t>(model.mesh.cell_regions[static_cast<std::size_t>(facet.cell)])];
+        sizes.push_back(entry.size_m);
+        nodes_.insert(nodes_.end(), entry.nodes.begin(), entry.nodes.end());
+        entries_.push_back(std::move(entry));
+    }
+    std::ranges::sort(nodes_);
+    nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+    free_count_ = entries_.size();
+    if (sizes.empty()) return;
+    std::ranges::nth_element(sizes, sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2));
+    distance_m_ = distance_share * sizes[sizes.size() / 2];
+    for (Entry& entry : entries_) entry.distance_m = distance_m_;
+    add_obstacles(model);
+}
+
+void ContactSurface::add_obstacles(const model::Case& model) {
+    std::size_t first_corner = model.mesh.points.size();
+    for (std::size_t k = 0; k < model.obstacles.size(); ++k)
+        if (const auto* faceted = std::get_if<model::FacetedSurface>(&model.obstacles[k].shape)) {
+            for (const auto& facet : faceted->facets) {
+                Entry entry;
+                entry.obstacle = static_cast<int>(k);
+                surface::FacetMap map{facet[2] < 0 ? mesh::CellType::line2 : mesh::CellType::triangle3};
+                for (std::size_t a = 0; a < (facet[2] < 0 ? 2 : 3); ++a) {
+                    entry.corners.push_back(first_corner + static_cast<std::size_t>(facet[a]));
+                    map.nodes[a] = faceted->points[static_cast<std::size_t>(facet[a])];
+                }
+                entry.undeformed = make_patch(map);
+                entries_.push_back(std::move(entry));
+            }
+            first_corner += faceted->points.size();
+        }
+    find_initial_overlaps();
+}
+
+void ContactSurface::find_initial_overlaps() {
+    std::vector<surface::Box> boxes;
+    for (const Entry& entry : entries_) boxes.push_back(grown(box_of_nodes(entry.undeformed), distance_m_));
+    for (const auto& [first, second] : surface::overlapping_pairs(boxes)) {
+        const Entry &entry = entries_[static_cast<std::size_t>(first)],
+                    &other = entries_[static_cast<std::size_t>(second)];
+        add_overlaps(entry, other);
+        if (other.obstacle < 0) add_overlaps(other, entry);
+    }
+}
+
+void ContactSurface::add_overlaps(const Entry& entry, const Entry& other) {
+    for (std::size_t q = 0; q < entry.X.size() && entry.obstacle < 0; ++q) {
+        const ClosestPoint closest = closest_point(other.undeformed, entry.X[q]);
+        const double overlap = entry.distance_m - closest.distance_m;
+        if (overlap <= 0 || (other.obstacle < 0 && !are_facing(entry, q, other.undeformed, closest))) continue;
+        double& largest = initial_overlap_m_[{entry.facet, q, other.obstacle}];
+        largest = std::max(largest, overlap);
+    }
+}
+
+double ContactSurface::initial_overlap_m(const Entry& entry, std::size_t q, int obstacle) const {
+    const auto known = initial_overlap_m_.find({entry.facet, q, obstacle});
+    return known == initial_overlap_m_.end() ? 0 : known->second;
+}
+
+Adjacency ContactSurface::adjacency(std::size_t i, std::size_t j) {
+    const std::array<std::size_t, 2> key{std::min(i, j), std::max(i, j)};
+    const auto known = adjacency_.find(key);
+    if (known != adjacency_.end()) return known->second;
+    return adjacency_.emplace(key, find_adjacency(entries_[i], entries_[j])).first->second;
+}
+
+Adjacency ContactSurface::find_adjacency(const Entry& a, const Entry& b) const {
+    for (const Index node : a.nodes)
+        if (std::ranges::find(b.nodes, node) != b.nodes.end()) return Adjacency::neighbours;
+    const double within_m = thickest_wall_in_facets * std::max(a.size_m, b.size_m);
+    if (dot(normals(a.undeformed).axis, normals(b.undeformed).axis) < 0 &&
+        is_behind(a.undeformed, b.undeformed, within_m) && is_behind(b.undeformed, a.undeformed, within_m))
+        return Adjacency::sides_of_a_wall;
+    return Adjacency::apart;
+}
+
+ContactSurface::Shape ContactSurface::shape(std::span<const Point> positions, std::span<const Vector3> shifts) const {
+    Shape shape;
+    shape.margin_m = std::numeric_limits<double>::max();
+    for (const Entry& entry : entries_) {
+        surface::FacetMap map{entry.undeformed.type, entry.undeformed.nodes};
+        for (std::size_t a = 0; a < entry.nodes.size(); ++a)
+            map.nodes[a] = positions[static_cast<std::size_t>(entry.nodes[a])];
+        if (entry.obstacle >= 0)
+            for (Point& node : map.nodes) node = along(node, 1, shifts[static_cast<std::size_t>(entry.obstacle)]);
+        shape.patches.push_back(make_patch(map));
+        const surface::Box box = box_of_nodes(shape.patches.back());
+        const double margin_m = margin_of(box, distance_m_);
+        shape.boxes.push_back(grown(box, margin_m));
+        if (entry.obstacle < 0) shape.margin_m = std::min(shape.margin_m, margin_m);
+    }
+    return shape;
+}
+
+}  // namespace soft::contact

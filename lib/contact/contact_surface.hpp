@@ -1,0 +1,95 @@
+#pragma once
+/// The facets that may touch: the free facets of the actuator with their sample points, and the facets of faceted obstacles.
+/// Private to the module. Tested by contact/potential_test.
+#include <map>
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include "contact/closest_point.hpp"
+#include "contact/divided.hpp"
+#include "model/case.hpp"
+
+namespace soft::contact {
+
+/// Points and weights on a reference facet. Corners and edges are among the points, so that a corner does not slip through between them.
+///   line: Gauss-Lobatto, 5 points (exact to degree 7); quadrilateral: its product; triangle: four times the rule with corners (1/20),
+///   middles of edges (2/15) and centroid (9/20), exact to degree 3.
+struct SampleRule {
+    std::vector<surface::FacetPoint> xi;
+    std::vector<double> weights;
+    std::vector<double> N;  ///< [point][node]
+};
+[[nodiscard]] SampleRule sample_rule(mesh::CellType facet);
+
+/// How two facets of the actuator lie to each other.
+enum class Adjacency { apart, neighbours, sides_of_a_wall };
+
+class ContactSurface {
+public:
+    ContactSurface(const model::Case& model, std::span<const double> modulus_Pa);
+
+    struct Entry {
+        mesh::Facet facet{};  ///< of the actuator
+        std::vector<mesh::Index> nodes;
+        std::vector<std::size_t> corners;  ///< numbers of the corners, equal for corners that facets share
+        int obstacle = -1;                 ///< of a facet of an obstacle
+        Patch undeformed{};
+        double size_m = 0;
+        const SampleRule* rule = nullptr;
+        std::vector<mesh::Point> X;     ///< undeformed sample points
+        std::vector<double> weight_m2;  ///< undeformed area of the sample points, 2 pi R included
+        double stiffness_Pa = 0;        ///< k
+        double distance_m = 0;          ///< h
+    };
+    [[nodiscard]] std::span<const Entry> entries() const { return entries_; }
+    [[nodiscard]] std::size_t free_count() const {
+        return free_count_;
+    }  ///< the first entries are those of the actuator
+    [[nodiscard]] std::span<const mesh::Index> nodes() const { return nodes_; }
+    [[nodiscard]] double distance_m() const { return distance_m_; }  ///< the largest h
+    [[nodiscard]] std::size_t dimension() const { return dimension_; }
+
+    [[nodiscard]] bool is_revolved() const { return is_revolved_; }
+
+    /// h - D of a sample point near a faceted obstacle, or near a facet of the actuator that faces it (-1), 0 where D > h.
+    [[nodiscard]] double initial_overlap_m(const Entry& entry, std::size_t q, int obstacle) const;
+
+    [[nodiscard]] Adjacency adjacency(std::size_t i, std::size_t j);
+
+    /// The entries at current positions.
+    struct Shape {
+        std::vector<Patch> patches;
+        std::vector<surface::Box> boxes;  ///< contain the facets and everything within a margin
+        double margin_m = 0;              ///< the smallest; at least the contact distance
+    };
+    [[nodiscard]] Shape shape(std::span<const mesh::Point> positions, std::span<const Vector3> shifts) const;
+
+private:
+    void add_obstacles(const model::Case& model);
+    void find_initial_overlaps();
+    void add_overlaps(const Entry& entry, const Entry& other);
+    [[nodiscard]] Adjacency find_adjacency(const Entry& a, const Entry& b) const;
+
+    std::map<mesh::CellType, SampleRule> rules_;
+    std::vector<Entry> entries_;
+    std::vector<mesh::Index> nodes_;
+    std::map<std::array<std::size_t, 2>, Adjacency> adjacency_;                      // of the pairs met so far
+    std::map<std::tuple<mesh::Facet, std::size_t, int>, double> initial_overlap_m_;  // [facet, point, obstacle]
+    std::size_t free_count_ = 0, dimension_ = 3;
+    double distance_m_ = 0;
+    bool is_revolved_;
+};
+
+/// Whether air, not rubber, lies between a sample point and the closest point of another facet in the undeformed state.
+[[nodiscard]] bool are_facing(const ContactSurface::Entry& entry, std::size_t q, const Patch& other,
+                              const ClosestPoint& closest);
+
+/// Whether the facet, in a given shape, faces a surface with this normal.
+[[nodiscard]] bool is_facing(const Patch& patch, const ContactSurface::Entry& entry, std::size_t q,
+                             const Vector3& normal);
+
+/// Cone of the normals at the nodes.
+[[nodiscard]] NormalCone normals(const Patch& facet);
+
+}  // namespace soft::contact

@@ -1,0 +1,213 @@
+#include "contact/facet_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace soft::contact {
+
+namespace {
+
+using mesh::Point;
+
+/// A point behind a facet by less than this overlaps with it: fractions of the undeformed distance and of the facet's size.
+constexpr double overlap_share_of_size = 0.2;
+constexpr double share_of_initial_gap = 0.1;
+/// Two points of the undeformed body this close (fraction of the facet's size) are the same.
+constexpr double same_point = 1e-9;
+/// Fraction of h: below it the curvature of the distance is lost in rounding.
+constexpr double no_gap = 1e-6;
+/// Keys of the blocks of smooth obstacles, after those of facets and faceted obstacles.
+constexpr std::size_t smooth_keys = std::size_t{1} << 60;
+
+/// The closest point of the same feature in the undeformed state.
+ClosestPoint undeformed_closest(const Patch& patch, const Feature& feature, const Point& X) {
+    switch (feature.kind) {
+        case Feature::Kind::facet: return closest_point(patch, X);
+        case Feature::Kind::edge: return closest_on_edge(patch, feature.k, X);
+        case Feature::Kind::corner: break;
+    }
+    return at_corner(patch, feature.k, X);
+}
+
+}  // namespace
+
+FacetContact::FacetContact(const ContactState& at, std::size_t facet, std::span<const std::size_t> others,
+                           Summary& summary)
+    : at_(at), entry_(at.surface.entries()[facet]), map_(at.shape.patches[facet]), others_(others), summary_(summary) {
+    const Point& middle = map_.nodes[0];
+    double radius = entry_.distance_m;
+    for (std::size_t a = 0; a < entry_.nodes.size(); ++a)
+        radius = std::max(radius, entry_.distance_m + 1.5 * norm(difference(map_.nodes[a], middle)));
+    for (const SmoothObstacle& obstacle : at.smooth) {
+        const double beyond = obstacle.distance(at.shifted_back(middle, obstacle.index)).value_m - radius;
+        if (beyond < 0)
+            near_.push_back(&obstacle);
+        else
+            clearance_m_ = std::min(clearance_m_, beyond);
+    }
+}
+
+void FacetContact::add(const std::function<void(const Block&)>& to) {
+    if (near_.empty() && others_.empty()) return;
+    const std::size_t nodes = entry_.nodes.size();
+    for (std::size_t q = 0; q < entry_.X.size(); ++q) {
+        Point x{};
+        for (std::size_t a = 0; a < nodes; ++a) x = along(x, entry_.rule->N[q * nodes + a], map_.nodes[a]);
+        if (!others_.empty()) add_features(q, x);
+        for (const SmoothObstacle* obstacle : near_) add_smooth(q, x, *obstacle);
+    }
+    for (const auto& [key, block] : blocks_) to(block);
+}
+
+double FacetContact::stretch_at(std::size_t q) const {
+    const auto now = map_(entry_.rule->xi[q]), undeformed = entry_.undeformed(entry_.rule->xi[q]);
+    const double along = norm(cross(now.t1, now.t2)) / norm(cross(undeformed.t1, undeformed.t2));
+    if (!at_.surface.is_revolved()) return along;
+    return along * (entry_.X[q][1] > same_point * entry_.size_m ? now.x[1] / entry_.X[q][1] : along);
+}
+
+Block& FacetContact::block_of(std::size_t key, int obstacle, std::span<const mesh::Index> others) {
+    const auto known = blocks_.find(key);
+    if (known != blocks_.end()) return known->second;
+    Block block;
+    block.nodes = entry_.nodes;
+    block.nodes.insert(block.nodes.end(), others.begin(), others.end());
+    block.obstacle = obstacle;
+    block.dimension = at_.surface.dimension();
+    const std::size_t size = block.points() * block.dimension;
+    block.gradient.assign(size, 0);
+    block.hessian.assign(at_.wanted == Wanted::hessian ? size * size : 0, 0);
+    return blocks_.emplace(key, std::move(block)).first->second;
+}
+
+void FacetContact::note(std::size_t q, int obstacle, double share, const Barrier& b) {
+    const std::size_t k = obstacle >= 0 ? static_cast<std::size_t>(obstacle) : summary_.area_m2.size() - 1;
+    const double pressure = -entry_.stiffness_Pa * b.slope / stretch_at(q);
+    summary_.area_m2[k] += share * entry_.weight_m2[q];
+    summary_.pressure_Pa[k] = std::max(summary_.pressure_Pa[k], pressure);
+    if (summary_.location && pressure <= summary_.max_pressure_Pa) return;
+    summary_.max_pressure_Pa = pressure;
+    summary_.location = entry_.X[q];
+    summary_.touched = obstacle;
+}
+
+bool FacetContact::is_at(std::size_t q, const ContactSurface::Entry& other) const {
+    const bool neighbours = std::ranges::any_of(entry_.corners, [&](std::size_t corner) {
+        return std::ranges::find(other.corners, corner) != other.corners.end();
+    });
+    return neighbours && closest_point(other.undeformed, entry_.X[q]).distance_m <= same_point * entry_.size_m;
+}
+
+void FacetContact::add_features(std::size_t q, const Point& x) {
+    std::map<int, std::vector<std::size_t>> facets;  // by obstacle, -1: the actuator
+    bool touches = false;
+    for (const std::size_t j : others_) {
+        const auto& other = at_.surface.entries()[j];
+        const Patch& patch = at_.shape.patches[j];
+        const double h = entry_.distance_m, size = other.obstacle < 0 ? other.size_m : entry_.size_m,
+                     range = std::max(h, overlap_share_of_size * size);
+        if (const double beyond = at_least(patch, x); beyond > range) {
+            clearance_m_ = std::min(clearance_m_, beyond - h);
+            continue;
+        }
+        const ClosestPoint closest = closest_point(patch, x);
+        if (is_at(q, other)) continue;
+        clearance_m_ = std::min(clearance_m_, closest.distance_m - h);
+        if (closest.distance_m > range) continue;
+        const auto y = patch(closest.xi);
+        touches = touches || closest.distance_m < h || dot(difference(x, y.x), cross(y.t1, y.t2)) < 0;
+        facets[other.obstacle].push_back(j);
+    }
+    if (!touches) return;
+    for (const auto& [obstacle, list] : facets)
+        for (const Feature& feature : features_near(at_.surface, at_.shape.patches, list, x))
+            add_feature(q, x, feature);
+}
+
+/// The derivatives of the distance d follow from those of f = d^2/2: grad d = n and d hess d = hess f - n n^T.
+void FacetContact::add_feature(std::size_t q, const Point& x, const Feature& feature) {
+    const auto& other = at_.surface.entries()[feature.facet];
+    const bool itself = other.obstacle < 0;
+    const double h = entry_.distance_m, distance = feature.closest.distance_m,
+                 size = itself ? other.size_m : entry_.size_m;
+    const FacetJet y = jet(at_.shape.patches[feature.facet], feature.closest.xi);
+    const Vector3 r = difference(x, y.y);
+    const bool behind = dot(r, feature.normal) < 0;
+    if (distance >= (behind ? overlap_share_of_size * size : h)) return;
+    double reach = h, gap = behind ? -distance : distance;
+    if (itself) {
+        const double near = std::max(h / share_of_initial_gap, distance / overlap_share_of_distance),
+                     bound = at_least(other.undeformed, entry_.X[q]);
+        const auto before =
+            bound > near ? ClosestPoint{bound} : undeformed_closest(other.undeformed, feature, entry_.X[q]);
+        const double initial = before.distance_m;
+        if (initial <= near && are_facing(entry_, q, other.undeformed, before)) {
+            gap += at_.surface.initial_overlap_m(entry_, q, -1);
+        } else {
+            if (behind &&
+                (distance > overlap_share_of_distance * initial || !is_facing(map_, entry_, q, feature.normal)))
+                return;
+            reach = std::min(h, share_of_initial_gap * initial);
+        }
+    } else {
+        gap += at_.surface.initial_overlap_m(entry_, q, other.obstacle);
+    }
+    if (gap >= reach || reach <= 0) return;
+    const Barrier b = barrier(gap, reach);
+    const double share = itself ? 0.5 : 1.0, d = behind ? -distance : distance,
+                 scale = feature.coefficient * share * entry_.weight_m2[q] * entry_.stiffness_Pa,
+                 by_f = distance > no_gap * h ? scale * b.slope / d : 0;
+    const Vector3 n = distance > 0 ? along({}, 1 / d, r) : along({}, 1 / norm(feature.normal), feature.normal);
+    Vector3 g{};
+    std::array<Vector3, 3> H{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        g[k] = scale * b.slope * n[k];
+        for (std::size_t l = 0; l < 3; ++l)
+            H[k][l] = (scale * b.curvature_1_m - by_f) * n[k] * n[l] + (k == l ? by_f : 0);
+    }
+    summary_.energy_J += scale * b.value_m;
+    const std::size_t own = entry_.nodes.size();
+    std::vector<double> weights(&entry_.rule->N[q * own], &entry_.rule->N[q * own] + own);
+    std::array<mesh::ShapeValue, 9> shapes;
+    const auto values = std::span{shapes}.first(other.nodes.size());  // none for an obstacle
+    if (itself) mesh::shape_values(other.undeformed.type, {feature.closest.xi[0], feature.closest.xi[1], 0}, values);
+    for (const auto& value : values) weights.push_back(-value.value);
+    if (!itself) weights.push_back(-1);
+    Block& block =
+        itself ? block_of(feature.facet, -1, other.nodes)
+               : block_of(at_.surface.entries().size() + static_cast<std::size_t>(other.obstacle), other.obstacle, {});
+    add_function(block, weights, g, H);
+    if (by_f != 0 && !block.hessian.empty()) add_sliding(block, weights, y, feature.closest, r, values, by_f);
+    if (feature.is_closest) note(q, other.obstacle, share, b);
+}
+
+void FacetContact::add_smooth(std::size_t q, const Point& x, const SmoothObstacle& obstacle) {
+    const Distance d = obstacle.distance(at_.shifted_back(x, obstacle.index));
+    const double h = entry_.distance_m, initial = obstacle.distance(entry_.X[q]).value_m;
+    const bool mirror = obstacle.index < 0;
+    if (mirror && initial <= same_point * entry_.size_m) return;
+    const bool along_rubber =
+        mirror && !is_facing(entry_.undeformed, entry_, q, obstacle.distance(entry_.X[q]).gradient);
+    const double reach = along_rubber ? std::min(h, share_of_initial_gap * initial) : h,
+                 gap = d.value_m + (along_rubber ? 0 : std::max(h - initial, 0.0));
+    clearance_m_ = std::min(clearance_m_, gap - reach);
+    if (gap >= reach) return;
+    const Barrier b = barrier(gap, reach);
+    const std::size_t nodes = entry_.nodes.size();
+    std::vector<double> weights(&entry_.rule->N[q * nodes], &entry_.rule->N[q * nodes] + nodes);
+    if (!mirror) weights.push_back(-1);
+    const double scale = entry_.weight_m2[q] * entry_.stiffness_Pa;
+    summary_.energy_J += scale * b.value_m;
+    Vector3 g{};
+    std::array<Vector3, 3> H{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        g[k] = scale * b.slope * d.gradient[k];
+        for (std::size_t l = 0; l < 3; ++l)
+            H[k][l] = scale * (b.curvature_1_m * d.gradient[k] * d.gradient[l] + b.slope * d.hessian[k][l]);
+    }
+    const auto key = smooth_keys + static_cast<std::size_t>(&obstacle - at_.smooth.data());
+    add_function(block_of(key, obstacle.index, {}), weights, g, H);
+    note(q, obstacle.index, 1, b);
+}
+
+}  // namespace soft::contact

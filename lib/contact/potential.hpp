@@ -1,0 +1,73 @@
+#pragma once
+/// Contact of the actuator with itself, with its mirror images and with rigid obstacles, as a potential of the current positions:
+///   E = sum_q w_q k b(d_q),       k = stiffness_share E_0
+/// over the sample points q of all free facets, with w_q their share of the undeformed area (2 pi R included), E_0 Young's modulus of the
+/// facet's rubber without strain, and b the barrier (barrier.hpp) of the distance d_q to the other facets (features.hpp; w_q/2, because both
+/// sides count) or to an obstacle. The contact pressure is k |b'|; the gap left in contact is below the contact distance h.
+/// Facets are the curved facets of the mesh, and no term of the second derivatives is omitted.
+/// d_q is negative behind the facet, where it is at most a fraction of the facet's size and of D: only Newton's iterates go there.
+/// No force acts without strain: where obstacles, or facets that face each other, are closer than h in the undeformed state, at D, the
+/// barrier depends on d + h - D. The h of other pairs is at most a tenth of D, which separates points that are close along the material.
+/// A symmetry plane, and the axis r = 0, is an obstacle without friction: a body touches its mirror image at the plane.
+/// Two sides of one wall, and facets that share a node and are visible from one side (Volino), do not act on each other.
+/// Derived here; the idea of the potential: Li et al. 2020 (barrier.hpp), on curved facets as in M. Ferguson et al., High-order
+/// incremental potential contact, SIGGRAPH 2023. Tested by contact/potential_test and the verification suite (group Contact).
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "contact/block.hpp"
+#include "model/case.hpp"
+
+namespace soft::contact {
+
+/// Contact in one configuration, of the facets that the caller asked for.
+struct Summary {
+    double energy_J = 0;
+    std::vector<double>
+        area_m2;  ///< undeformed area in contact, by obstacle, then with itself (mirror images included)
+    std::vector<double> pressure_Pa;      ///< largest pressure on the deformed area, in the same order
+    double max_pressure_Pa = 0;           ///< of all
+    std::optional<mesh::Point> location;  ///< undeformed point where that pressure is
+    int touched = -1;                     ///< obstacle there; -1 itself
+
+    [[nodiscard]] bool touches() const { return location.has_value(); }
+};
+
+class Potential {
+public:
+    /// `modulus_Pa`: E_0 by region. Copies what it needs from the case.
+    Potential(const model::Case& model, std::span<const double> modulus_Pa);
+    ~Potential();
+    Potential(Potential&&) noexcept;
+
+    /// True where nothing can ever touch: evaluate() finds no blocks.
+    [[nodiscard]] bool is_empty() const;
+    [[nodiscard]] double distance_m() const;  ///< the largest h
+    /// Steps in which the distance of all pairs changes by less than this need no limit.
+    [[nodiscard]] double harmless_step_m() const;
+    /// Nodes of the free facets, ascending: the positions that evaluate() reads.
+    [[nodiscard]] std::span<const mesh::Index> nodes() const;
+
+    /// `positions`: one per mesh point; `shifts`: displacement of each obstacle; `take(cell)`: whether the points of the facet of a cell
+    /// are summed. Blocks come in a fixed order.
+    Summary evaluate(std::span<const mesh::Point> positions, std::span<const Vector3> shifts, Wanted wanted,
+                     const std::function<bool(mesh::Index)>& take, const std::function<void(const Block&)>& add);
+
+    /// The share of the way from one configuration to another, at most 1, up to which no sample point goes deeper behind a facet or obstacle
+    /// than evaluate() can see, judged by the distances at the start.
+    [[nodiscard]] double share_without_crossing(std::span<const mesh::Point> from, std::span<const Vector3> shifts,
+                                                std::span<const mesh::Point> to, std::span<const Vector3> shifts_to);
+
+    /// Pairs of facets of the actuator that are in contact or within `share` of their size of it.
+    [[nodiscard]] std::vector<std::array<mesh::Facet, 2>> near_pairs(std::span<const mesh::Point> positions,
+                                                                     double share);
+
+private:
+    class Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace soft::contact

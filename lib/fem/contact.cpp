@@ -1,0 +1,136 @@
+#include "fem/contact.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace soft::fem {
+
+namespace {
+
+/// Of the size of a facet: pairs this close are expected to touch soon.
+constexpr double nearly_in_contact = 0.25;
+
+/// The unknowns of the displacement of an obstacle.
+std::array<PetscInt, 3> dofs_of(const model::Case& input, const std::string& obstacle) {
+    std::array<PetscInt, 3> dofs{-1, -1, -1};
+    for (std::size_t m = 0; m < input.motions.size(); ++m)
+        for (std::size_t i = 0; i < 3 && input.motions[m].face == obstacle; ++i)
+            if (input.motions[m].displacement_m[i]) dofs[i] = -2 - static_cast<PetscInt>(3 * m + i);
+    return dofs;
+}
+
+void sum_over_ranks(contact::Summary& summary, MPI_Comm comm, int rank) {
+    const auto reduce = [comm](std::vector<double>& values, MPI_Op op) {
+        MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, op, comm);
+    };
+    MPI_Allreduce(MPI_IN_PLACE, &summary.energy_J, 1, MPI_DOUBLE, MPI_SUM, comm);
+    reduce(summary.area_m2, MPI_SUM);
+    reduce(summary.pressure_Pa, MPI_MAX);
+    struct {
+        double value;
+        int rank;
+    } mine{summary.location ? summary.max_pressure_Pa : -1.0, rank}, largest{};
+    MPI_Allreduce(&mine, &largest, 1, MPI_DOUBLE_INT, MPI_MAXLOC, comm);
+    if (largest.value < 0.0) return;
+    summary.max_pressure_Pa = largest.value;
+    mesh::Point location = summary.location.value_or(mesh::Point{});
+    MPI_Bcast(location.data(), 3, MPI_DOUBLE, largest.rank, comm);
+    MPI_Bcast(&summary.touched, 1, MPI_INT, largest.rank, comm);
+    summary.location = location;
+}
+
+}  // namespace
+
+Contact::Contact(const Discretization& fe, LocalState& state, contact::Potential& potential)
+    : fe_(fe), state_(state), potential_(potential), positions_(fe.input.mesh.points) {
+    for (const auto& obstacle : fe.input.obstacles) obstacle_dofs_.push_back(dofs_of(fe.input, obstacle.name));
+    shifts_.resize(obstacle_dofs_.size());
+}
+
+void Contact::read_positions() {
+    const auto dimension = static_cast<std::size_t>(fe_.dofs.dimension);
+    for (const auto node : potential_.nodes())
+        for (std::size_t i = 0; i < dimension; ++i) {
+            const auto n = static_cast<std::size_t>(node);
+            positions_[n][i] = fe_.input.mesh.points[n][i] + state_[fe_.dofs.displacement[n * dimension + i]];
+        }
+    for (std::size_t k = 0; k < shifts_.size(); ++k)
+        for (std::size_t i = 0; i < 3; ++i) shifts_[k][i] = state_[obstacle_dofs_[k][i]];
+}
+
+contact::Summary Contact::evaluate(contact::Wanted wanted,
+                                   const std::function<void(std::span<const PetscInt>, const contact::Block&)>& add) {
+    if (!potential_.is_empty()) read_positions();
+    std::vector<PetscInt> dofs;
+    auto summary = potential_.evaluate(
+        positions_, shifts_, wanted,
+        [this](mesh::Index cell) { return fe_.dofs.cell_rank[static_cast<std::size_t>(cell)] == fe_.rank; },
+        [&](const contact::Block& block) {
+            dofs.clear();
+            for (std::size_t i = 0; i < block.dimension; ++i) {
+                for (const auto node : block.nodes)
+                    dofs.push_back(fe_.dofs.displacement[static_cast<std::size_t>(node) * block.dimension + i]);
+                if (block.obstacle >= 0) dofs.push_back(obstacle_dofs_[static_cast<std::size_t>(block.obstacle)][i]);
+            }
+            add(dofs, block);
+        });
+    sum_over_ranks(summary, fe_.comm, fe_.rank);
+    return summary;
+}
+
+contact::Summary Contact::measure(Vec x) {
+    state_.read(x);
+    return evaluate(contact::Wanted::gradient, [](std::span<const PetscInt>, const contact::Block&) {});
+}
+
+double Contact::share_without_crossing(Vec from, const LoadLevels& levels, Vec to, const LoadLevels& levels_to) {
+    if (potential_.is_empty()) return 1;
+    state_.prescribe(levels);
+    state_.read(from);
+    read_positions();
+    const auto positions = positions_;
+    const auto shifts = shifts_;
+    state_.prescribe(levels_to);
+    state_.read(to);
+    read_positions();
+    double largest = std::numeric_limits<double>::min();
+    for (const auto node : potential_.nodes()) {
+        const auto n = static_cast<std::size_t>(node);
+        largest = std::max(largest, norm(difference(positions_[n], positions[n])));
+    }
+    for (std::size_t k = 0; k < shifts.size(); ++k)
+        largest = std::max(largest, norm(difference(shifts_[k], shifts[k])));
+    double share = 2 * largest < potential_.harmless_step_m()
+                       ? 1
+                       : potential_.share_without_crossing(positions, shifts, positions_, shifts_);
+    MPI_Allreduce(MPI_IN_PLACE, &share, 1, MPI_DOUBLE, MPI_MIN, fe_.comm);
+    return share;
+}
+
+bool Contact::couple(Vec x) {
+    if (potential_.is_empty()) return false;
+    state_.read(x);
+    return couple();
+}
+
+bool Contact::couple() {
+    std::vector<std::vector<PetscInt>> couplings;
+    if (evaluate(contact::Wanted::gradient, [](std::span<const PetscInt>, const contact::Block&) {}).touches())
+        for (const auto& [first, second] : potential_.near_pairs(positions_, nearly_in_contact)) {
+            auto nodes = mesh::facet_nodes(fe_.input.mesh, first);
+            const auto others = mesh::facet_nodes(fe_.input.mesh, second);
+            nodes.insert(nodes.end(), others.begin(), others.end());
+            fe_.dofs.node_dofs(nodes, couplings.emplace_back());
+        }
+    const bool changes = couplings != couplings_;
+    couplings_ = std::move(couplings);
+    return changes;
+}
+
+std::vector<double> young_moduli_Pa(const Discretization& fe) {
+    std::vector<double> moduli;
+    for (const auto& rubber : fe.rubbers) moduli.push_back(3 * material::initial_shear_modulus_Pa(rubber));
+    return moduli;
+}
+
+}  // namespace soft::fem

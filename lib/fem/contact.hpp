@@ -1,0 +1,53 @@
+#pragma once
+/// Contact (contact/potential.hpp) on the unknowns: each block acts on the displacements of the nodes of two facets, or of one facet and
+/// of an obstacle. The displacement of an obstacle has indices like a node: -1 where it is fixed, those of a prescribed motion where it
+/// moves with a load. Each rank computes the blocks of its facets. Tested by fem/contact_test and the verification suite (group Contact).
+#include <functional>
+
+#include "contact/potential.hpp"
+#include "fem/local_state.hpp"
+
+namespace soft::fem {
+
+class Contact {
+public:
+    Contact(const Discretization& fe, LocalState& state, contact::Potential& potential);
+
+    /// Calls add(unknowns, block) for this rank's blocks at the state last read. The summary is that of all ranks. Collective.
+    contact::Summary evaluate(contact::Wanted wanted,
+                              const std::function<void(std::span<const PetscInt>, const contact::Block&)>& add);
+    /// The same at x, without blocks, under the levels last prescribed.
+    [[nodiscard]] contact::Summary measure(Vec x);
+
+    /// Current position of a node of the free facets, at the state of the last evaluation.
+    [[nodiscard]] const mesh::Point& position(mesh::Index node) const {
+        return positions_[static_cast<std::size_t>(node)];
+    }
+
+    /// See contact::Potential; the same on every rank. Prescribes the levels of the end. Collective.
+    [[nodiscard]] double share_without_crossing(Vec from, const LoadLevels& levels, Vec to,
+                                                const LoadLevels& levels_to);
+
+    /// Unknowns of pairs of facets whose blocks the pattern of a matrix must contain.
+    [[nodiscard]] const std::vector<std::vector<PetscInt>>& couplings() const noexcept { return couplings_; }
+    /// Sets the couplings to the pairs that are in contact or nearly so at the state last read; none without contact. Returns whether
+    /// they change.
+    bool couple();
+    bool couple(Vec x);  ///< at x, under the levels last prescribed
+
+private:
+    void read_positions();
+
+    const Discretization& fe_;
+    LocalState& state_;
+    contact::Potential& potential_;
+    std::vector<mesh::Point> positions_;
+    std::vector<std::array<PetscInt, 3>> obstacle_dofs_;
+    std::vector<Vector3> shifts_;
+    std::vector<std::vector<PetscInt>> couplings_;
+};
+
+/// Young's modulus of each region without strain, for the stiffness of the contact.
+[[nodiscard]] std::vector<double> young_moduli_Pa(const Discretization& fe);
+
+}  // namespace soft::fem

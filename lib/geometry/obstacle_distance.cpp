@@ -1,0 +1,192 @@
+#include "geometry/obstacle_distance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "surface/cgal_queries.hpp"
+#include "surface/free_facets.hpp"
+#include "surface/near.hpp"
+
+namespace soft::geometry {
+namespace {
+
+using mesh::Point;
+
+double side_sign(model::Side side) { return side == model::Side::inside ? -1.0 : 1.0; }
+
+/// Vector from the axis to the point.
+Vector3 from_axis(const model::Cylinder& cylinder, const Point& point) {
+    const Vector3 to = difference(point, cylinder.point);
+    return along(to, -dot(to, cylinder.axis), cylinder.axis);
+}
+
+/// Whether a line upward from the point crosses the closed section an odd number of times. Edges on the axis r = 0, which are not
+/// part of the section, are below all points.
+bool is_in_section(const model::FacetedSurface& section, const Point& point) {
+    bool inside = false;
+    for (const auto& [start, end, none] : section.facets) {
+        const Point &a = section.points[static_cast<std::size_t>(start)],
+                    &b = section.points[static_cast<std::size_t>(end)];
+        if ((a[0] > point[0]) == (b[0] > point[0])) continue;
+        if (a[1] + (point[0] - a[0]) / (b[0] - a[0]) * (b[1] - a[1]) > point[1]) inside = !inside;
+    }
+    return inside;
+}
+
+SignedDistance distance_of(const model::Plane& plane) {
+    return [plane](const Point& point) { return dot(difference(point, plane.point), plane.normal); };
+}
+
+SignedDistance distance_of(const model::Cylinder& cylinder) {
+    return [cylinder](const Point& point) {
+        return side_sign(cylinder.side) * (norm(from_axis(cylinder, point)) - cylinder.radius_m);
+    };
+}
+
+SignedDistance distance_of(const model::Sphere& sphere) {
+    return [sphere](const Point& point) {
+        return side_sign(sphere.side) * (norm(difference(point, sphere.center)) - sphere.radius_m);
+    };
+}
+
+SignedDistance distance_of_section(const model::FacetedSurface& section) {
+    std::vector<std::array<int, 2>> segments;
+    for (const auto& facet : section.facets) segments.push_back({facet[0], facet[1]});
+    const auto nearest = std::make_shared<surface::NearestOnSegments>(section.points, segments);
+    return [section, nearest](const Point& point) {
+        const double distance_m = (*nearest)(point).distance_m;
+        return is_in_section(section, point) ? -distance_m : distance_m;
+    };
+}
+
+/// The first triangle that a ray meets has its back to a point inside.
+SignedDistance distance_of_triangles(const model::FacetedSurface& faceted) {
+    surface::Triangles triangles{faceted.points, faceted.facets, {}, {}, {}};
+    for (std::size_t t = 0; t < faceted.facets.size(); ++t) triangles.facets.push_back(static_cast<int>(t));
+    const auto rays = std::make_shared<surface::RayTree>(triangles);
+    const auto nearest = std::make_shared<surface::NearestOnTriangles>(faceted.points, faceted.facets);
+    return [faceted, rays, nearest](const Point& point) {
+        // Parallel to no likely edge, and nearly across z, so that it does not leave an extruded profile through an end.
+        constexpr Vector3 direction{0.79864838, 0.60099281, 0.03124521};
+        constexpr int no_facet = -1;
+        const double distance_m = (*nearest)(point).distance_m;
+        const auto hit = rays->first_hit(point, direction, no_facet);
+        if (!hit) return distance_m;
+        const Vector3 normal = model::facet_normal(faceted, faceted.facets[static_cast<std::size_t>(hit->facet)]);
+        return dot(normal, direction) > 0 ? -distance_m : distance_m;
+    };
+}
+
+SignedDistance distance_of(const model::FacetedSurface& faceted) {
+    return faceted.facets.front()[2] < 0 ? distance_of_section(faceted) : distance_of_triangles(faceted);
+}
+
+/// Bounding box of the mesh.
+struct Bounds {
+    Point low, high;
+    [[nodiscard]] bool contains(const Point& point) const {
+        for (std::size_t i = 0; i < 3; ++i)
+            if (point[i] < low[i] || point[i] > high[i]) return false;
+        return true;
+    }
+};
+
+Bounds bounds_of(const mesh::Mesh& mesh) {
+    Bounds bounds{mesh.points.front(), mesh.points.front()};
+    for (const Point& point : mesh.points)
+        for (std::size_t i = 0; i < 3; ++i) {
+            bounds.low[i] = std::min(bounds.low[i], point[i]);
+            bounds.high[i] = std::max(bounds.high[i], point[i]);
+        }
+    return bounds;
+}
+
+/// Points at equal distances on a line, within the bounds.
+void add_line(const Point& start, const Vector3& step, const Bounds& bounds, double radius_m,
+              std::vector<OwnPoint>& points) {
+    double first = 0, last = 1;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (step[i] == 0) continue;
+        const double a = (bounds.low[i] - start[i]) / step[i], b = (bounds.high[i] - start[i]) / step[i];
+        first = std::max(first, std::min(a, b));
+        last = std::min(last, std::max(a, b));
+    }
+    constexpr int count = 100;
+    for (int k = 0; k <= count && first <= last; ++k) {
+        const Point point = along(start, first + k * (last - first) / count, step);
+        if (bounds.contains(point)) points.push_back({point, radius_m});
+    }
+}
+
+using Points = std::vector<OwnPoint>;
+
+Points points_of(const model::Plane&, const Bounds&) { return {}; }
+
+Points points_of(const model::Sphere& sphere, const Bounds&) {
+    if (sphere.side == model::Side::inside) return {};
+    return {{sphere.center, sphere.radius_m}};
+}
+
+Points points_of(const model::Cylinder& cylinder, const Bounds& bounds) {
+    if (cylinder.side == model::Side::inside) return {};
+    const double far_m = norm(difference(bounds.high, bounds.low)) + norm(difference(cylinder.point, bounds.low));
+    Bounds near = bounds;  // the axis may pass beside the actuator
+    for (std::size_t i = 0; i < 3; ++i) {
+        near.low[i] -= cylinder.radius_m;
+        near.high[i] += cylinder.radius_m;
+    }
+    if (bounds.low[2] == bounds.high[2] && cylinder.axis[2] != 0) return {{cylinder.point, cylinder.radius_m}};
+    Points points;
+    Vector3 step = cylinder.axis;
+    for (double& component : step) component *= 2 * far_m;
+    add_line(along(cylinder.point, -far_m, cylinder.axis), step, near, cylinder.radius_m, points);
+    return points;
+}
+
+Points points_of(const model::FacetedSurface& faceted, const Bounds& bounds) {
+    Points points;
+    const double long_m = norm(difference(bounds.high, bounds.low)) / 100;
+    for (const auto& facet : faceted.facets)
+        for (std::size_t i = 0; i < 3 && facet[i] >= 0; ++i) {
+            const int next = facet[(i + 1) % 3] >= 0 ? facet[(i + 1) % 3] : facet[0];
+            const Point& start = faceted.points[static_cast<std::size_t>(facet[i])];
+            const Vector3 edge = difference(faceted.points[static_cast<std::size_t>(next)], start);
+            if (norm(edge) > long_m && facet[i] < next)
+                add_line(start, edge, bounds, 0, points);
+            else if (bounds.contains(start))
+                points.push_back({start, 0});
+        }
+    std::ranges::sort(points, {}, &OwnPoint::point);
+    const auto same = std::ranges::unique(points, {}, &OwnPoint::point);
+    points.erase(same.begin(), same.end());
+    // A finer surface has vertices closer to each other than the nodes of the actuator, which are compared with its facets.
+    constexpr std::size_t max_points = 5000;
+    const std::size_t stride = 1 + points.size() / max_points;
+    for (std::size_t i = 0; i * stride < points.size(); ++i) points[i] = points[i * stride];
+    points.resize((points.size() + stride - 1) / stride);
+    return points;
+}
+
+}  // namespace
+
+SignedDistance signed_distance(const model::Obstacle& obstacle) {
+    return std::visit([](const auto& shape) { return distance_of(shape); }, obstacle.shape);
+}
+
+std::vector<OwnPoint> own_points(const model::Obstacle& obstacle, const model::Case& model) {
+    const Bounds bounds = bounds_of(model.mesh);
+    const std::array<bool, 3> mirrored = surface::mirrors(model);
+    Points points = std::visit([&](const auto& shape) { return points_of(shape, bounds); }, obstacle.shape);
+    std::erase_if(points, [&](const OwnPoint& own) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const bool above = bounds.high[i] > -bounds.low[i];
+            if (mirrored[i] && (above ? own.point[i] < 0 : own.point[i] > 0)) return true;
+        }
+        return false;
+    });
+    return points;
+}
+
+}  // namespace soft::geometry

@@ -1,0 +1,194 @@
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "contact/barrier.hpp"
+#include "contact/distance.hpp"
+#include "contact/potential.hpp"
+#include "contact_samples.hpp"
+
+namespace soft::contact {
+namespace {
+
+using mesh::Point;
+using test::Cells;
+
+constexpr double modulus_Pa = 1e5;
+
+/// Energy, and its derivatives by [node x 3] and then [obstacle x 3].
+struct Derivatives {
+    Summary summary;
+    std::vector<double> gradient, hessian;
+};
+
+Derivatives derivatives(Potential& potential, const std::vector<Point>& positions, const std::vector<Vector3>& shifts,
+                        Wanted wanted = Wanted::gradient) {
+    const std::size_t size = 3 * (positions.size() + shifts.size());
+    Derivatives sum{{}, std::vector<double>(size), std::vector<double>(wanted == Wanted::hessian ? size * size : 0)};
+    sum.summary = potential.evaluate(
+        positions, shifts, wanted, [](mesh::Index) { return true; },
+        [&](const Block& block) {
+            std::vector<std::size_t> at;
+            for (std::size_t i = 0; i < block.dimension; ++i) {
+                for (const auto node : block.nodes) at.push_back(3 * static_cast<std::size_t>(node) + i);
+                if (block.obstacle >= 0)
+                    at.push_back(3 * (positions.size() + static_cast<std::size_t>(block.obstacle)) + i);
+            }
+            ASSERT_EQ(block.gradient.size(), at.size());
+            for (std::size_t p = 0; p < at.size(); ++p) {
+                sum.gradient[at[p]] += block.gradient[p];
+                for (std::size_t q = 0; q < at.size() && wanted == Wanted::hessian; ++q)
+                    sum.hessian[at[p] * size + at[q]] += block.hessian[p * at.size() + q];
+            }
+        });
+    return sum;
+}
+
+struct State {
+    std::vector<Point> positions;
+    std::vector<Vector3> shifts;
+};
+
+State moved(const State& state, double step, std::span<const double> direction) {
+    State next = state;
+    std::size_t k = 0;
+    for (auto* list : {&next.positions, &next.shifts})
+        for (auto& x : *list)
+            for (double& component : x) component += step * direction[k++];
+    return next;
+}
+
+/// Taylor remainders of energy and gradient along a direction of length `size_m`: of third order in the energy and of second in the gradient.
+void expect_exact_derivatives(Potential& potential, const State& state, std::span<const double> direction) {
+    const auto at = derivatives(potential, state.positions, state.shifts, Wanted::hessian);
+    ASSERT_TRUE(at.summary.touches());
+    const std::size_t size = direction.size();
+    const double slope = std::inner_product(direction.begin(), direction.end(), at.gradient.begin(), 0.0);
+    std::vector<double> change(size);
+    for (std::size_t p = 0; p < size; ++p)
+        for (std::size_t q = 0; q < size; ++q) {
+            change[p] += at.hessian[p * size + q] * direction[q];
+            EXPECT_NEAR(at.hessian[p * size + q], at.hessian[q * size + p],
+                        1e-9 * (1 + std::abs(at.hessian[p * size + q])));
+        }
+    std::vector<double> energy, gradient;
+    for (const double step : {4e-2, 2e-2, 1e-2}) {
+        const State next = moved(state, step, direction);
+        const auto there = derivatives(potential, next.positions, next.shifts);
+        const double curvature = std::inner_product(direction.begin(), direction.end(), change.begin(), 0.0);
+        energy.push_back(
+            std::abs(there.summary.energy_J - at.summary.energy_J - step * slope - step * step / 2 * curvature));
+        double sum = 0;
+        for (std::size_t p = 0; p < size; ++p)
+            sum = std::hypot(sum, there.gradient[p] - at.gradient[p] - step * change[p]);
+        gradient.push_back(sum);
+    }
+    EXPECT_GT(std::log2(energy[1] / energy[2]), 2.7) << energy[0] << ' ' << energy[1] << ' ' << energy[2];
+    EXPECT_GT(std::log2(gradient[1] / gradient[2]), 1.8) << gradient[0] << ' ' << gradient[1] << ' ' << gradient[2];
+}
+
+/// Smooth random displacements of the nodes of at most `size_m`, and random ones of the obstacles.
+std::vector<double> direction_of(const model::Case& model, unsigned seed, double size_m) {
+    std::vector<double> direction = test::displacement(model, test::wobble(seed, 0.9, 1.5));
+    double largest = 0;
+    for (const double u : direction) largest = std::max(largest, std::abs(u));
+    for (double& u : direction) u *= size_m / largest;
+    for (std::size_t n = 0; n < model.mesh.points.size() && model.mesh.dimension == 2; ++n) direction[3 * n + 2] = 0;
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> uniform(-size_m, size_m);
+    for (std::size_t k = 0; k < 3 * model.obstacles.size(); ++k)
+        direction.push_back(model.mesh.dimension == 2 && k % 3 == 2 ? 0 : uniform(random));
+    return direction;
+}
+
+model::Case with_settings(model::Case model) {
+    model.mesh.region_names = {"rubber"};
+    model.mesh.cell_regions.assign(model.mesh.cell_types.size(), 0);
+    return model;
+}
+
+class PotentialOf : public testing::TestWithParam<Cells> {};
+
+TEST_P(PotentialOf, DerivativesOfContactBetweenTwoBlocksAreExact) {
+    for (const auto kinematics :
+         {model::Kinematics::plane_strain, model::Kinematics::axisymmetric, model::Kinematics::solid}) {
+        const model::Case model =
+            with_settings(test::two_blocks(kinematics == model::Kinematics::solid ? 3 : 2, GetParam(), kinematics));
+        Potential potential(model, std::array{modulus_Pa});
+        const double h = potential.distance_m();
+        State state{model.mesh.points, {}};
+        for (Point& x : state.positions)
+            if (x[0] >= 2) x[0] -= 1 - 0.6 * h;
+        EXPECT_FALSE(derivatives(potential, model.mesh.points, {}).summary.touches());
+        state = moved(state, 1, direction_of(model, 3, 0.15 * h));  // curved walls
+        expect_exact_derivatives(potential, state, direction_of(model, 4, h));
+    }
+}
+
+TEST_P(PotentialOf, DerivativesOfContactWithObstaclesAreExact) {
+    for (const auto kinematics : {model::Kinematics::plane_strain, model::Kinematics::solid}) {
+        const int dimension = kinematics == model::Kinematics::solid ? 3 : 2;
+        model::Case model = with_settings(test::two_blocks(dimension, GetParam(), kinematics));
+        const double h = Potential(model, std::array{modulus_Pa}).distance_m();
+        // The obstacles are 3 h away from the left block's face x = 0, and are then moved to about 0.6 h.
+        const double x = -3 * h;
+        model.obstacles.push_back({"plane", model::Plane{{x, 0, 0}, {1, 0, 0}}});
+        model.obstacles.push_back({"cylinder", model::Cylinder{{x - 2, 0.5, 0}, {0, 0, 1}, 2}});
+        if (dimension == 3) model.obstacles.push_back({"sphere", model::Sphere{{x - 3, 0.5, 0.5}, 3}});
+        model::FacetedSurface wall{{{x, 2, -1}, {x, -1, -1}, {x, 0.5, 3}}, {{0, 2, 1}}};
+        if (dimension == 2) wall = {{{x, -1, 0}, {x, 2, 0}}, {{0, 1, -1}}};
+        model.obstacles.push_back({"wall", wall});
+        Potential potential(model, std::array{modulus_Pa});
+        State state{model.mesh.points, {}};
+        for (std::size_t k = 0; k < model.obstacles.size(); ++k)
+            state.shifts.push_back({(2.5 - 0.1 * static_cast<double>(k)) * h, 0, 0});
+        state = moved(state, 1, direction_of(model, 5, 0.1 * h));
+        expect_exact_derivatives(potential, state, direction_of(model, 6, h));
+        const auto at = derivatives(potential, state.positions, state.shifts);
+        for (std::size_t k = 0; k < model.obstacles.size(); ++k)
+            EXPECT_GT(at.summary.pressure_Pa[k], 0) << model.obstacles[k].name;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(AllCells, PotentialOf, testing::ValuesIn(test::all_cells));
+
+TEST(Barrier, HasTwoContinuousDerivativesAndRepels) {
+    constexpr double h = 0.3, step = 1e-6;
+    for (const double d : {0.01, 0.1, 0.25}) {
+        const Barrier at = barrier(d, h), before = barrier(d - step, h), after = barrier(d + step, h);
+        EXPECT_NEAR((after.value_m - before.value_m) / (2 * step), at.slope, 1e-6 * std::abs(at.slope));
+        EXPECT_NEAR((after.slope - before.slope) / (2 * step), at.curvature_1_m, 1e-6 * at.curvature_1_m);
+        EXPECT_LT(at.slope, 0);
+    }
+    EXPECT_NEAR(barrier(h * (1 - 1e-8), h).curvature_1_m, 0, 1e-6);
+    EXPECT_EQ(barrier(h, h).value_m, 0);
+}
+
+TEST(Distance, DerivativesAreExact) {
+    const model::Plane plane{{1, 2, 3}, {0.6, 0, 0.8}};
+    const model::Cylinder cylinder{{0.5, 0, 1}, {0, 0.6, 0.8}, 0.7, model::Side::inside};
+    const model::Sphere sphere{{0.1, 0.2, 0.3}, 0.4};
+    const auto check = [](const auto& shape) {
+        const Point x{0.9, -0.4, 0.7};
+        const Distance at = distance(shape, x);
+        constexpr double step = 1e-5;
+        for (std::size_t i = 0; i < 3; ++i) {
+            Point low = x, high = x;
+            low[i] -= step;
+            high[i] += step;
+            const Distance before = distance(shape, low), after = distance(shape, high);
+            EXPECT_NEAR((after.value_m - before.value_m) / (2 * step), at.gradient[i], 1e-8);
+            for (std::size_t j = 0; j < 3; ++j)
+                EXPECT_NEAR((after.gradient[j] - before.gradient[j]) / (2 * step), at.hessian[i][j], 1e-8);
+        }
+        EXPECT_NEAR(norm(at.gradient), 1, 1e-12);
+    };
+    check(plane);
+    check(cylinder);
+    check(sphere);
+    EXPECT_NEAR(distance(cylinder, Point{0.5, 0, 1}).value_m, 0.7, 1e-12);
+    EXPECT_NEAR(distance(sphere, Point{0.1, 0.2, 1.3}).value_m, 0.6, 1e-12);
+}
+
+}  // namespace
+}  // namespace soft::contact
