@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "contact/contact_surface.hpp"
 #include "contact/crossing.hpp"
 #include "contact/hinges.hpp"
 #include "contact/inverted_wall.hpp"
@@ -83,7 +84,8 @@ public:
           names_(face_names(model)),
           facets_(mesh_, free_),
           undeformed_(facets_.shape(mesh_.points)),
-          tolerance_m_(mesh::plane_tolerance * mesh::extent_m(mesh_)) {
+          tolerance_m_(mesh::plane_tolerance * mesh::extent_m(mesh_)),
+          allowed_share_(model.path.contact == model::Contact::solve ? distance_share : 0) {
         for (std::size_t d = 0; d < 3; ++d) {
             double sum = 0;
             for (const Point& p : mesh_.points) sum += p[d];
@@ -113,16 +115,16 @@ public:
             if (pair.are_neighbours() && is_visible_from_one_side(cones[pair.first], cones[pair.second])) continue;
             if (is_initial_contact(i, j) || has_rubber_between(pair)) continue;
             const auto xi = find_crossing(pair, undeformed_, now);
-            if (xi && is_confirmed(pair, positions))
+            if (xi && is_confirmed(pair, positions) && is_deep(pair, positions))
                 keep({kind_of(pair, positions), undeformed_location(pair.first, *xi), {pair.first, pair.second}});
         }
         for (const Hinge& hinge : hinges_)
-            if (is_closed(hinge, cones, positions)) keep(found_at(hinge));
+            if (allowed_share_ == 0 && is_closed(hinge, cones, positions)) keep(found_at(hinge));
         for (std::size_t f = 0; f < facets_.size(); ++f)
             for (std::size_t d = 0; d < 3; ++d)
                 if (mirrors_[d] && !initially_beyond_[d].contains(f))
                     if (const Depth at = depth(f, d, positions);
-                        at.depth_m > tolerance_m_ && faces_plane(f, d, at.xi, positions))
+                        at.depth_m > std::max(tolerance_m_, allowed_depth_m(f)) && faces_plane(f, d, at.xi, positions))
                         keep({kind_of(d), undeformed_location(f, at.xi), {f, f}});
         return best ? std::optional(contact(*best)) : std::nullopt;
     }
@@ -179,6 +181,29 @@ private:
         const std::array<Facet, 2> both{facets_.facet(pair.first), facets_.facet(pair.second)};
         const DividedFacets fine{mesh_, both, Fineness::fine};
         return find_crossing({&fine, 0, 1}, fine.shape(mesh_.points), fine.shape(positions)).has_value();
+    }
+
+    [[nodiscard]] double allowed_depth_m(std::size_t f) const {
+        const surface::Box& box = undeformed_.boxes[f];
+        return allowed_share_ * norm(difference(box.high, box.low));
+    }
+
+    /// Whether a point of one facet lies deeper behind the other than contact that is solved allows.
+    [[nodiscard]] bool is_deep(const FacetPair& pair, const std::vector<Point>& positions) const {
+        if (allowed_share_ == 0) return true;
+        const double allowed_m = std::max(allowed_depth_m(pair.first), allowed_depth_m(pair.second));
+        const auto reaches_behind = [&](std::size_t a, std::size_t b) {
+            const surface::FacetMap map = surface::facet_map(mesh_, facets_.facet(a), positions);
+            const Patch other = make_patch(surface::facet_map(mesh_, facets_.facet(b), positions));
+            return std::ranges::any_of(divide(map.type, Fineness::fine).xi, [&](const surface::FacetPoint& xi) {
+                const Point x = map(xi).x;
+                const ClosestPoint closest = closest_point(other, x);
+                const auto y = other(closest.xi);
+                return closest.is_interior && closest.distance_m > allowed_m &&
+                       dot(difference(x, y.x), cross(y.t1, y.t2)) < 0;
+            });
+        };
+        return reaches_behind(pair.first, pair.second) || reaches_behind(pair.second, pair.first);
     }
 
     [[nodiscard]] Kind kind_of(const FacetPair& pair, const std::vector<Point>& positions) const {
@@ -288,6 +313,7 @@ private:
     DividedFacets facets_;
     DividedShape undeformed_;
     double tolerance_m_;
+    double allowed_share_;                           ///< of the size of a facet, by which walls may overlap
     std::array<double, 3> sides_{};                  ///< side of each mirror plane on which the body lies, +1 or -1
     std::set<std::array<int, 2>> initial_contacts_;  ///< pairs of facets that touch in the undeformed body
     std::array<std::set<std::size_t>, 3> initially_beyond_;  ///< facets beyond each mirror plane in the undeformed body

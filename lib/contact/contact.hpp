@@ -10,6 +10,7 @@
 /// If the two sides of one wall intersect, the cells between them are inverted: this is reported as `is_inverted`, not as contact, and
 /// later states are not physical. A cell that is inverted at a plane, with rubber and not air between facet and plane, is not
 /// reported here, because det F <= 0 reports it.
+/// Where contact is solved (path.contact), walls that overlap by less than the contact distance are not reported, nor are closed creases.
 /// Cost: 0.2 ms for a section of 300 facets, about 30 ms for a solid of 5000 facets, three times that if many boxes overlap.
 /// Tested by contact/contact_test and contact/no_contact_test.
 #include <array>

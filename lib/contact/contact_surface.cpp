@@ -25,8 +25,8 @@ constexpr double beyond_nodes = 0.2;
 /// Parts of a line with a rule each. A point that slides over a corner of the other side makes the equilibrium unstable unless its
 /// force over its gap is small against the stiffness of the cells.
 constexpr int line_parts = 4;
-/// k over E_0, and h over the median size of the free facets. Where h jumps from facet to facet, so does the contact pressure.
-constexpr double stiffness_share = 0.1, distance_share = 1e-2;
+/// k over E_0.
+constexpr double stiffness_share = 0.1;
 
 void add_point(SampleRule& rule, const FacetPoint& xi, double weight) {
     for (std::size_t q = 0; q < rule.xi.size(); ++q)
@@ -82,6 +82,11 @@ Vector3 normal_at(const Patch& map, const FacetPoint& xi) {
 }
 
 Vector3 unit(const Vector3& v) { return norm(v) > 0 ? along({}, 1 / norm(v), v) : v; }
+
+mesh::CellType linear_facet(std::size_t corners) {
+    if (corners == 2) return mesh::CellType::line2;
+    return corners == 3 ? mesh::CellType::triangle3 : mesh::CellType::quad4;
+}
 
 /// Whether the middle of `a` lies behind the facet `b`.
 bool is_behind(const Patch& a, const Patch& b, double within_m) {
@@ -147,7 +152,6 @@ NormalCone normals(const Patch& facet) {
 ContactSurface::ContactSurface(const model::Case& model, std::span<const double> modulus_Pa)
     : dimension_(static_cast<std::size_t>(model.mesh.dimension)),
       is_revolved_(model.kinematics == model::Kinematics::axisymmetric) {
-    std::vector<double> sizes;
     for (const mesh::Facet& facet : surface::free_facets(model)) {
         Entry entry;
         entry.facet = facet;
@@ -170,18 +174,42 @@ ContactSurface::ContactSurface(const model::Case& model, std::span<const double>
         entry.stiffness_Pa =
             stiffness_share *
             modulus_Pa[static_cast<std::size_t>(model.mesh.cell_regions[static_cast<std::size_t>(facet.cell)])];
-        sizes.push_back(entry.size_m);
         nodes_.insert(nodes_.end(), entry.nodes.begin(), entry.nodes.end());
         entries_.push_back(std::move(entry));
     }
     std::ranges::sort(nodes_);
     nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
     free_count_ = entries_.size();
-    if (sizes.empty()) return;
-    std::ranges::nth_element(sizes, sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2));
-    distance_m_ = distance_share * sizes[sizes.size() / 2];
-    for (Entry& entry : entries_) entry.distance_m = distance_m_;
+    if (entries_.empty()) return;
+    set_contact_distances();
     add_obstacles(model);
+}
+
+/// In proportion to the mean size of the facets at a corner, linear between the corners: where h jumps, so does the contact pressure.
+void ContactSurface::set_contact_distances() {
+    struct Mean {
+        double sum = 0, count = 0;
+    };
+    std::map<std::size_t, Mean> sizes;
+    for (const Entry& entry : entries_)
+        for (const std::size_t corner : entry.corners) {
+            sizes[corner].sum += entry.size_m;
+            ++sizes[corner].count;
+        }
+    for (Entry& entry : entries_) {
+        const mesh::CellType linear = linear_facet(entry.corners.size());
+        for (const FacetPoint& xi : entry.rule->xi) {
+            double h = 0;
+            std::size_t a = 0;
+            for (const mesh::ShapeValue& value : mesh::shape_values(linear, {xi[0], xi[1], 0})) {
+                const Mean& mean = sizes.at(entry.corners[a++]);
+                h += value.value * distance_share * mean.sum / mean.count;
+            }
+            entry.h_m.push_back(h);
+        }
+        entry.distance_m = *std::ranges::max_element(entry.h_m);
+        distance_m_ = std::max(distance_m_, entry.distance_m);
+    }
 }
 
 void ContactSurface::add_obstacles(const model::Case& model) {
@@ -218,7 +246,7 @@ void ContactSurface::find_initial_overlaps() {
 void ContactSurface::add_overlaps(const Entry& entry, const Entry& other) {
     for (std::size_t q = 0; q < entry.X.size() && entry.obstacle < 0; ++q) {
         const ClosestPoint closest = closest_point(other.undeformed, entry.X[q]);
-        const double overlap = entry.distance_m - closest.distance_m;
+        const double overlap = entry.h_m[q] - closest.distance_m;
         if (overlap <= 0 || (other.obstacle < 0 && !are_facing(entry, q, other.undeformed, closest))) continue;
         double& largest = initial_overlap_m_[{entry.facet, q, other.obstacle}];
         largest = std::max(largest, overlap);

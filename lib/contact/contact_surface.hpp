@@ -22,6 +22,9 @@ struct SampleRule {
 };
 [[nodiscard]] SampleRule sample_rule(mesh::CellType facet);
 
+/// h over the size of the facets.
+inline constexpr double distance_share = 1e-2;
+
 /// How two facets of the actuator lie to each other.
 enum class Adjacency { apart, neighbours, sides_of_a_wall };
 
@@ -40,7 +43,8 @@ public:
         std::vector<mesh::Point> X;     ///< undeformed sample points
         std::vector<double> weight_m2;  ///< undeformed area of the sample points, 2 pi R included
         double stiffness_Pa = 0;        ///< k
-        double distance_m = 0;          ///< h
+        std::vector<double> h_m;        ///< contact distance of the sample points
+        double distance_m = 0;          ///< the largest of them
     };
     [[nodiscard]] std::span<const Entry> entries() const { return entries_; }
     [[nodiscard]] std::size_t free_count() const {
@@ -66,6 +70,7 @@ public:
     [[nodiscard]] Shape shape(std::span<const mesh::Point> positions, std::span<const Vector3> shifts) const;
 
 private:
+    void set_contact_distances();
     void add_obstacles(const model::Case& model);
     void find_initial_overlaps();
     void add_overlaps(const Entry& entry, const Entry& other);

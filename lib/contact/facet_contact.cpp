@@ -104,7 +104,7 @@ void FacetContact::add_features(std::size_t q, const Point& x) {
     for (const std::size_t j : others_) {
         const auto& other = at_.surface.entries()[j];
         const Patch& patch = at_.shape.patches[j];
-        const double h = entry_.distance_m, size = other.obstacle < 0 ? other.size_m : entry_.size_m,
+        const double h = entry_.h_m[q], size = other.obstacle < 0 ? other.size_m : entry_.size_m,
                      range = std::max(h, overlap_share_of_size * size);
         if (const double beyond = at_least(patch, x); beyond > range) {
             clearance_m_ = std::min(clearance_m_, beyond - h);
@@ -128,7 +128,7 @@ void FacetContact::add_features(std::size_t q, const Point& x) {
 void FacetContact::add_feature(std::size_t q, const Point& x, const Feature& feature) {
     const auto& other = at_.surface.entries()[feature.facet];
     const bool itself = other.obstacle < 0;
-    const double h = entry_.distance_m, distance = feature.closest.distance_m,
+    const double h = entry_.h_m[q], distance = feature.closest.distance_m,
                  size = itself ? other.size_m : entry_.size_m;
     const FacetJet y = jet(at_.shape.patches[feature.facet], feature.closest.xi);
     const Vector3 r = difference(x, y.y);
@@ -183,7 +183,7 @@ void FacetContact::add_feature(std::size_t q, const Point& x, const Feature& fea
 
 void FacetContact::add_smooth(std::size_t q, const Point& x, const SmoothObstacle& obstacle) {
     const Distance d = obstacle.distance(at_.shifted_back(x, obstacle.index));
-    const double h = entry_.distance_m, initial = obstacle.distance(entry_.X[q]).value_m;
+    const double h = entry_.h_m[q], initial = obstacle.distance(entry_.X[q]).value_m;
     const bool mirror = obstacle.index < 0;
     if (mirror && initial <= same_point * entry_.size_m) return;
     const bool along_rubber =

@@ -256,10 +256,18 @@ std::vector<std::array<mesh::Facet, 2>> Potential::near_pairs(std::span<const Po
             shape.boxes[i].low[d] -= share * entries[i].size_m;
             shape.boxes[i].high[d] += share * entries[i].size_m;
         }
+    const auto is_close = [&](std::size_t i, std::size_t j) {
+        const double within_m =
+            std::max(entries[i].distance_m, share * std::max(entries[i].size_m, entries[j].size_m));
+        return std::ranges::any_of(entries[i].rule->xi, [&](const surface::FacetPoint& xi) {
+            const Point x = shape.patches[i](xi).x;
+            return at_least(shape.patches[j], x) < within_m && closest_point(shape.patches[j], x).distance_m < within_m;
+        });
+    };
     const auto others = parts_->find_others(shape);
     for (std::size_t i = 0; i < count; ++i)
         for (const std::size_t j : others[i])
-            if (i < j) pairs.push_back({entries[i].facet, entries[j].facet});
+            if (i < j && (is_close(i, j) || is_close(j, i))) pairs.push_back({entries[i].facet, entries[j].facet});
     return pairs;
 }
 
