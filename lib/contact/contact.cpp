@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "contact/contact_surface.hpp"
+#include "contact/closest_point.hpp"
 #include "contact/crossing.hpp"
 #include "contact/hinges.hpp"
 #include "contact/inverted_wall.hpp"
@@ -85,7 +85,7 @@ public:
           facets_(mesh_, free_),
           undeformed_(facets_.shape(mesh_.points)),
           tolerance_m_(mesh::plane_tolerance * mesh::extent_m(mesh_)),
-          allowed_share_(model.path.contact == model::Contact::solve ? distance_share : 0) {
+          allowed_share_(model.path.contact == model::Contact::solve ? model.contact.distance : 0) {
         for (std::size_t d = 0; d < 3; ++d) {
             double sum = 0;
             for (const Point& p : mesh_.points) sum += p[d];

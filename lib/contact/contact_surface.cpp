@@ -20,8 +20,6 @@ using surface::FacetPoint;
 constexpr double facing = 0.5;
 /// Facets that face away from each other within this many facet sizes have rubber between them.
 constexpr double thickest_wall_in_facets = 3;
-/// Boxes of the nodes grow by this fraction of their longest side, because a curved facet reaches beyond its nodes.
-constexpr double beyond_nodes = 0.2;
 /// Parts of a line with a rule each. A point that slides over a corner of the other side makes the equilibrium unstable unless its
 /// force over its gap is small against the stiffness of the cells.
 constexpr int line_parts = 4;
@@ -52,18 +50,8 @@ void add_triangle(SampleRule& rule, const std::array<FacetPoint, 3>& corners, do
     add_point(rule, mean({corners[0], corners[1], corners[2]}), area * 9 / 20);
 }
 
-/// The box of a facet grows by this much.
-double margin_of(const surface::Box& box, double distance_m) {
-    double longest = 0;
-    for (std::size_t d = 0; d < 3; ++d) longest = std::max(longest, box.high[d] - box.low[d]);
-    return distance_m + beyond_nodes * longest;
-}
-
-surface::Box box_of_nodes(const Patch& map) {
-    return box_of(std::span{map.nodes}.first(static_cast<std::size_t>(mesh::node_count(map.type))));
-}
-
-surface::Box grown(surface::Box box, double margin_m) {
+surface::Box box_within(const Patch& map, double margin_m) {
+    surface::Box box{map.low, map.high};
     for (std::size_t d = 0; d < 3; ++d) {
         box.low[d] -= margin_m;
         box.high[d] += margin_m;
@@ -93,6 +81,17 @@ bool is_behind(const Patch& a, const Patch& b, double within_m) {
     const ClosestPoint closest = closest_point(b, middle_of(a));
     const Vector3 arm = difference(middle_of(a), b(closest.xi).x);
     return closest.distance_m < within_m && dot(arm, normal_at(b, closest.xi)) < 0;
+}
+
+bool has_facing_points(const ContactSurface::Entry& entry, const ContactSurface::Entry& other) {
+    const NormalCone a = normals(entry.undeformed), b = normals(other.undeformed);
+    const double angle = std::acos(std::clamp(dot(a.axis, b.axis), -1.0, 1.0));
+    if (angle + a.angle + b.angle < std::acos(-facing)) return false;
+    for (std::size_t q = 0; q < entry.X.size(); ++q) {
+        const ClosestPoint closest = closest_point(other.undeformed, entry.X[q]);
+        if (closest.distance_m > 0 && are_facing(entry, q, other.undeformed, closest)) return true;
+    }
+    return false;
 }
 
 }  // namespace
@@ -181,12 +180,12 @@ ContactSurface::ContactSurface(const model::Case& model, std::span<const double>
     nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
     free_count_ = entries_.size();
     if (entries_.empty()) return;
-    set_contact_distances();
+    set_contact_distances(model.contact.distance);
     add_obstacles(model);
 }
 
 /// In proportion to the mean size of the facets at a corner, linear between the corners: where h jumps, so does the contact pressure.
-void ContactSurface::set_contact_distances() {
+void ContactSurface::set_contact_distances(double share) {
     struct Mean {
         double sum = 0, count = 0;
     };
@@ -203,7 +202,7 @@ void ContactSurface::set_contact_distances() {
             std::size_t a = 0;
             for (const mesh::ShapeValue& value : mesh::shape_values(linear, {xi[0], xi[1], 0})) {
                 const Mean& mean = sizes.at(entry.corners[a++]);
-                h += value.value * distance_share * mean.sum / mean.count;
+                h += value.value * share * mean.sum / mean.count;
             }
             entry.h_m.push_back(h);
         }
@@ -234,7 +233,7 @@ void ContactSurface::add_obstacles(const model::Case& model) {
 
 void ContactSurface::find_initial_overlaps() {
     std::vector<surface::Box> boxes;
-    for (const Entry& entry : entries_) boxes.push_back(grown(box_of_nodes(entry.undeformed), distance_m_));
+    for (const Entry& entry : entries_) boxes.push_back(box_within(entry.undeformed, distance_m_));
     for (const auto& [first, second] : surface::overlapping_pairs(boxes)) {
         const Entry &entry = entries_[static_cast<std::size_t>(first)],
                     &other = entries_[static_cast<std::size_t>(second)];
@@ -245,6 +244,7 @@ void ContactSurface::find_initial_overlaps() {
 
 void ContactSurface::add_overlaps(const Entry& entry, const Entry& other) {
     for (std::size_t q = 0; q < entry.X.size() && entry.obstacle < 0; ++q) {
+        if (at_least(other.undeformed, entry.X[q]) > entry.h_m[q]) continue;
         const ClosestPoint closest = closest_point(other.undeformed, entry.X[q]);
         const double overlap = entry.h_m[q] - closest.distance_m;
         if (overlap <= 0 || (other.obstacle < 0 && !are_facing(entry, q, other.undeformed, closest))) continue;
@@ -259,7 +259,7 @@ double ContactSurface::initial_overlap_m(const Entry& entry, std::size_t q, int 
 }
 
 Adjacency ContactSurface::adjacency(std::size_t i, std::size_t j) {
-    const std::array<std::size_t, 2> key{std::min(i, j), std::max(i, j)};
+    const std::uint64_t key = std::min(i, j) * entries_.size() + std::max(i, j);
     const auto known = adjacency_.find(key);
     if (known != adjacency_.end()) return known->second;
     return adjacency_.emplace(key, find_adjacency(entries_[i], entries_[j])).first->second;
@@ -267,7 +267,9 @@ Adjacency ContactSurface::adjacency(std::size_t i, std::size_t j) {
 
 Adjacency ContactSurface::find_adjacency(const Entry& a, const Entry& b) const {
     for (const Index node : a.nodes)
-        if (std::ranges::find(b.nodes, node) != b.nodes.end()) return Adjacency::neighbours;
+        if (std::ranges::find(b.nodes, node) != b.nodes.end())
+            return has_facing_points(a, b) || has_facing_points(b, a) ? Adjacency::sides_of_a_groove
+                                                                      : Adjacency::neighbours;
     const double within_m = thickest_wall_in_facets * std::max(a.size_m, b.size_m);
     if (dot(normals(a.undeformed).axis, normals(b.undeformed).axis) < 0 &&
         is_behind(a.undeformed, b.undeformed, within_m) && is_behind(b.undeformed, a.undeformed, within_m))
@@ -275,22 +277,17 @@ Adjacency ContactSurface::find_adjacency(const Entry& a, const Entry& b) const {
     return Adjacency::apart;
 }
 
-ContactSurface::Shape ContactSurface::shape(std::span<const Point> positions, std::span<const Vector3> shifts) const {
-    Shape shape;
-    shape.margin_m = std::numeric_limits<double>::max();
+std::vector<Patch> ContactSurface::patches(std::span<const Point> positions, std::span<const Vector3> shifts) const {
+    std::vector<Patch> patches;
     for (const Entry& entry : entries_) {
         surface::FacetMap map{entry.undeformed.type, entry.undeformed.nodes};
         for (std::size_t a = 0; a < entry.nodes.size(); ++a)
             map.nodes[a] = positions[static_cast<std::size_t>(entry.nodes[a])];
         if (entry.obstacle >= 0)
             for (Point& node : map.nodes) node = along(node, 1, shifts[static_cast<std::size_t>(entry.obstacle)]);
-        shape.patches.push_back(make_patch(map));
-        const surface::Box box = box_of_nodes(shape.patches.back());
-        const double margin_m = margin_of(box, distance_m_);
-        shape.boxes.push_back(grown(box, margin_m));
-        if (entry.obstacle < 0) shape.margin_m = std::min(shape.margin_m, margin_m);
+        patches.push_back(make_patch(map));
     }
-    return shape;
+    return patches;
 }
 
 }  // namespace soft::contact

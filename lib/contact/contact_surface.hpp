@@ -4,6 +4,7 @@
 #include <map>
 #include <span>
 #include <tuple>
+#include <unordered_map>
 #include <vector>
 
 #include "contact/closest_point.hpp"
@@ -22,11 +23,8 @@ struct SampleRule {
 };
 [[nodiscard]] SampleRule sample_rule(mesh::CellType facet);
 
-/// h over the size of the facets.
-inline constexpr double distance_share = 1e-2;
-
-/// How two facets of the actuator lie to each other.
-enum class Adjacency { apart, neighbours, sides_of_a_wall };
+/// How two facets of the actuator lie to each other in the undeformed state. Sides of a groove are neighbours with air between them.
+enum class Adjacency { apart, neighbours, sides_of_a_groove, sides_of_a_wall };
 
 class ContactSurface {
 public:
@@ -62,15 +60,11 @@ public:
     [[nodiscard]] Adjacency adjacency(std::size_t i, std::size_t j);
 
     /// The entries at current positions.
-    struct Shape {
-        std::vector<Patch> patches;
-        std::vector<surface::Box> boxes;  ///< contain the facets and everything within a margin
-        double margin_m = 0;              ///< the smallest; at least the contact distance
-    };
-    [[nodiscard]] Shape shape(std::span<const mesh::Point> positions, std::span<const Vector3> shifts) const;
+    [[nodiscard]] std::vector<Patch> patches(std::span<const mesh::Point> positions,
+                                             std::span<const Vector3> shifts) const;
 
 private:
-    void set_contact_distances();
+    void set_contact_distances(double share);
     void add_obstacles(const model::Case& model);
     void find_initial_overlaps();
     void add_overlaps(const Entry& entry, const Entry& other);
@@ -79,7 +73,7 @@ private:
     std::map<mesh::CellType, SampleRule> rules_;
     std::vector<Entry> entries_;
     std::vector<mesh::Index> nodes_;
-    std::map<std::array<std::size_t, 2>, Adjacency> adjacency_;                      // of the pairs met so far
+    std::unordered_map<std::uint64_t, Adjacency> adjacency_;                         // of the pairs met so far
     std::map<std::tuple<mesh::Facet, std::size_t, int>, double> initial_overlap_m_;  // [facet, point, obstacle]
     std::size_t free_count_ = 0, dimension_ = 3;
     double distance_m_ = 0;

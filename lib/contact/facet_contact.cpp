@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace soft::contact {
 
@@ -9,8 +10,12 @@ namespace {
 
 using mesh::Point;
 
-/// A point behind a facet by less than this overlaps with it: fractions of the undeformed distance and of the facet's size.
+/// A point behind a facet by less than this fraction of the facet's size overlaps with it.
 constexpr double overlap_share_of_size = 0.2;
+/// Rubber between two surfaces is rarely compressed to less than this fraction of its thickness.
+constexpr double least_compression = 0.2;
+/// Cosine of the angle to the normal of a facet beyond which a point is neither in its plane nor rounding decides the side.
+constexpr double off_the_plane = 0.1;
 constexpr double share_of_initial_gap = 0.1;
 /// Two points of the undeformed body this close (fraction of the facet's size) are the same.
 constexpr double same_point = 1e-9;
@@ -29,22 +34,32 @@ ClosestPoint undeformed_closest(const Patch& patch, const Feature& feature, cons
     return at_corner(patch, feature.k, X);
 }
 
+bool is_behind(const Feature& feature, std::span<const Patch> patches, const Point& x) {
+    return dot(difference(x, patches[feature.facet](feature.closest.xi).x), feature.normal) < 0;
+}
+
 }  // namespace
+
+bool has_passed(const ContactSurface::Entry& entry, std::size_t q, const Patch& undeformed, const ClosestPoint& before,
+                double distance_m, bool faces) {
+    const auto at = undeformed(before.xi);
+    const Vector3 n = cross(at.t1, at.t2), arm = difference(entry.X[q], at.x);
+    const double height = dot(arm, n) / norm(n), off_m = off_the_plane * before.distance_m;
+    if (height > off_m) return true;
+    return faces && (height > -off_m || distance_m < least_compression * before.distance_m);
+}
 
 FacetContact::FacetContact(const ContactState& at, std::size_t facet, std::span<const std::size_t> others,
                            Summary& summary)
-    : at_(at), entry_(at.surface.entries()[facet]), map_(at.shape.patches[facet]), others_(others), summary_(summary) {
+    : at_(at), entry_(at.surface.entries()[facet]), map_(at.patches[facet]), others_(others), summary_(summary) {
     const Point& middle = map_.nodes[0];
     double radius = entry_.distance_m;
     for (std::size_t a = 0; a < entry_.nodes.size(); ++a)
         radius = std::max(radius, entry_.distance_m + 1.5 * norm(difference(map_.nodes[a], middle)));
     for (const SmoothObstacle& obstacle : at.smooth) {
-        const double beyond = obstacle.distance(at.shifted_back(middle, obstacle.index)).value_m - radius;
-        if (beyond < 0)
-            near_.push_back(&obstacle);
-        else
-            clearance_m_ = std::min(clearance_m_, beyond);
+        if (obstacle.distance(at.shifted_back(middle, obstacle.index)).value_m < radius) near_.push_back(&obstacle);
     }
+    clearances_m_.assign(others.size(), std::numeric_limits<double>::max());
 }
 
 void FacetContact::add(const std::function<void(const Block&)>& to) {
@@ -101,52 +116,65 @@ bool FacetContact::is_at(std::size_t q, const ContactSurface::Entry& other) cons
 void FacetContact::add_features(std::size_t q, const Point& x) {
     std::map<int, std::vector<std::size_t>> facets;  // by obstacle, -1: the actuator
     bool touches = false;
-    for (const std::size_t j : others_) {
+    for (std::size_t k = 0; k < others_.size(); ++k) {
+        const std::size_t j = others_[k];
         const auto& other = at_.surface.entries()[j];
-        const Patch& patch = at_.shape.patches[j];
+        const Patch& patch = at_.patches[j];
         const double h = entry_.h_m[q], size = other.obstacle < 0 ? other.size_m : entry_.size_m,
                      range = std::max(h, overlap_share_of_size * size);
         if (const double beyond = at_least(patch, x); beyond > range) {
-            clearance_m_ = std::min(clearance_m_, beyond - h);
+            clearances_m_[k] = std::min(clearances_m_[k], beyond);
             continue;
         }
         const ClosestPoint closest = closest_point(patch, x);
         if (is_at(q, other)) continue;
-        clearance_m_ = std::min(clearance_m_, closest.distance_m - h);
-        if (closest.distance_m > range) continue;
         const auto y = patch(closest.xi);
-        touches = touches || closest.distance_m < h || dot(difference(x, y.x), cross(y.t1, y.t2)) < 0;
+        const bool behind = dot(difference(x, y.x), cross(y.t1, y.t2)) < 0;
+        clearances_m_[k] = std::min(clearances_m_[k], closest.distance_m - (behind ? range : h));
+        if (closest.distance_m > range) continue;
+        touches = touches || closest.distance_m < h || behind;
         facets[other.obstacle].push_back(j);
     }
     if (!touches) return;
-    for (const auto& [obstacle, list] : facets)
-        for (const Feature& feature : features_near(at_.surface, at_.shape.patches, list, x))
-            add_feature(q, x, feature);
+    for (const auto& [obstacle, list] : facets) add_features_of(q, x, features_near(at_.surface, at_.patches, list, x));
+}
+
+/// The terms of one point that have the same closest point must cancel, so all features behind which it lies act, or none.
+void FacetContact::add_features_of(std::size_t q, const Point& x, std::span<const Feature> features) {
+    std::optional<bool> passed;
+    for (const Feature& feature : features) {
+        if (is_behind(feature, at_.patches, x)) {
+            if (!passed) {
+                const Feature& closest = *std::ranges::find(features, true, &Feature::is_closest);
+                const auto& other = at_.surface.entries()[closest.facet];
+                passed = other.obstacle >= 0 ||
+                         has_passed(entry_, q, other.undeformed, closest_point(other.undeformed, entry_.X[q]),
+                                    closest.closest.distance_m, is_facing(map_, entry_, q, closest.normal));
+            }
+            if (!*passed) continue;
+        }
+        add_feature(q, x, feature);
+    }
 }
 
 /// The derivatives of the distance d follow from those of f = d^2/2: grad d = n and d hess d = hess f - n n^T.
 void FacetContact::add_feature(std::size_t q, const Point& x, const Feature& feature) {
     const auto& other = at_.surface.entries()[feature.facet];
     const bool itself = other.obstacle < 0;
-    const double h = entry_.h_m[q], distance = feature.closest.distance_m,
-                 size = itself ? other.size_m : entry_.size_m;
-    const FacetJet y = jet(at_.shape.patches[feature.facet], feature.closest.xi);
+    const double h = entry_.h_m[q], distance = feature.closest.distance_m, size = itself ? other.size_m : entry_.size_m;
+    const FacetJet y = jet(at_.patches[feature.facet], feature.closest.xi);
     const Vector3 r = difference(x, y.y);
-    const bool behind = dot(r, feature.normal) < 0;
+    const bool behind = is_behind(feature, at_.patches, x);
     if (distance >= (behind ? overlap_share_of_size * size : h)) return;
     double reach = h, gap = behind ? -distance : distance;
     if (itself) {
-        const double near = std::max(h / share_of_initial_gap, distance / overlap_share_of_distance),
-                     bound = at_least(other.undeformed, entry_.X[q]);
+        const double near = h / share_of_initial_gap, bound = at_least(other.undeformed, entry_.X[q]);
         const auto before =
-            bound > near ? ClosestPoint{bound} : undeformed_closest(other.undeformed, feature, entry_.X[q]);
+            bound > near && !behind ? ClosestPoint{bound} : undeformed_closest(other.undeformed, feature, entry_.X[q]);
         const double initial = before.distance_m;
         if (initial <= near && are_facing(entry_, q, other.undeformed, before)) {
             gap += at_.surface.initial_overlap_m(entry_, q, -1);
         } else {
-            if (behind &&
-                (distance > overlap_share_of_distance * initial || !is_facing(map_, entry_, q, feature.normal)))
-                return;
             reach = std::min(h, share_of_initial_gap * initial);
         }
     } else {
@@ -190,7 +218,6 @@ void FacetContact::add_smooth(std::size_t q, const Point& x, const SmoothObstacl
         mirror && !is_facing(entry_.undeformed, entry_, q, obstacle.distance(entry_.X[q]).gradient);
     const double reach = along_rubber ? std::min(h, share_of_initial_gap * initial) : h,
                  gap = d.value_m + (along_rubber ? 0 : std::max(h - initial, 0.0));
-    clearance_m_ = std::min(clearance_m_, gap - reach);
     if (gap >= reach) return;
     const Barrier b = barrier(gap, reach);
     const std::size_t nodes = entry_.nodes.size();

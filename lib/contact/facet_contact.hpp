@@ -1,7 +1,6 @@
 #pragma once
 /// Contact of one facet of the actuator with other facets and obstacles. Private to the module. Tested by contact/potential_test.
 #include <functional>
-#include <limits>
 #include <map>
 #include <optional>
 
@@ -12,8 +11,11 @@
 
 namespace soft::contact {
 
-/// A point behind a facet by less than this fraction of its undeformed distance overlaps with it; by more, rubber is between them.
-inline constexpr double overlap_share_of_distance = 0.2;
+/// Whether a sample point that is `distance_m` behind a facet has passed through it. In the undeformed state it was in front of it; or in its
+/// plane, and now faces it; or behind it, and now faces it and is closer than rubber between them can be. `before`: closest point of the
+/// undeformed facet.
+[[nodiscard]] bool has_passed(const ContactSurface::Entry& entry, std::size_t q, const Patch& undeformed,
+                              const ClosestPoint& before, double distance_m, bool faces);
 
 /// An obstacle with a smooth surface, or a mirror plane (index -1).
 struct SmoothObstacle {
@@ -24,7 +26,7 @@ struct SmoothObstacle {
 /// What all facets of one evaluation share.
 struct ContactState {
     const ContactSurface& surface;
-    const ContactSurface::Shape& shape;
+    std::span<const Patch> patches;  ///< of all entries of the surface
     std::span<const SmoothObstacle> smooth;
     std::span<const Vector3> shifts;
     Wanted wanted;
@@ -42,13 +44,14 @@ public:
 
     /// Sums over the sample points and passes the blocks on.
     void add(const std::function<void(const Block&)>& to);
-    /// A lower bound of the motion towards each other after which a point of this facet may touch; 0 or less in contact.
-    [[nodiscard]] double clearance_m() const { return clearance_m_; }
+    /// By other facet, after add(): the motion towards it after which a point of this facet may touch it; 0 or less in contact.
+    [[nodiscard]] std::span<const double> clearances_m() const { return clearances_m_; }
 
 private:
     /// Whether a sample point lies on another facet, at a common corner or edge.
     [[nodiscard]] bool is_at(std::size_t q, const ContactSurface::Entry& other) const;
     void add_features(std::size_t q, const mesh::Point& x);
+    void add_features_of(std::size_t q, const mesh::Point& x, std::span<const Feature> features);
     void add_feature(std::size_t q, const mesh::Point& x, const Feature& feature);
     void add_smooth(std::size_t q, const mesh::Point& x, const SmoothObstacle& obstacle);
     void note(std::size_t q, int obstacle, double share, const Barrier& b);
@@ -63,7 +66,7 @@ private:
     Summary& summary_;
     std::vector<const SmoothObstacle*> near_;
     std::map<std::size_t, Block> blocks_;
-    double clearance_m_ = std::numeric_limits<double>::max();
+    std::vector<double> clearances_m_;
 };
 
 }  // namespace soft::contact

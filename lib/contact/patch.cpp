@@ -1,6 +1,7 @@
 #include "contact/patch.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "mesh/shape.hpp"
@@ -46,6 +47,19 @@ const Table& table_of(mesh::CellType type) {
     return tables.at(type);
 }
 
+/// Each monomial s^i t^j of a quadrilateral or line lies in [0, 1] for even i and j, else in [-1, 1]; of a triangle always in [0, 1].
+void find_box(Patch& patch) {
+    const bool triangle = mesh::topology(patch.type).shape == mesh::Shape::triangle;
+    patch.low = patch.high = patch.c[0];
+    for (std::size_t k = 1; k < 9; ++k)
+        for (std::size_t d = 0; d < 3; ++d) {
+            const double c = patch.c[k][d];
+            const bool even = triangle || (k / 3 % 2 == 0 && k % 3 % 2 == 0);
+            patch.low[d] += even ? std::fmin(c, 0) : -std::abs(c);
+            patch.high[d] += even ? std::fmax(c, 0) : std::abs(c);
+        }
+}
+
 }  // namespace
 
 surface::FacetMap::Value Patch::operator()(const surface::FacetPoint& xi) const {
@@ -81,6 +95,7 @@ Patch make_patch(const surface::FacetMap& facet) {
         patch.centre = along(patch.centre, 1.0 / static_cast<double>(nodes), facet.nodes[a]);
     for (std::size_t a = 0; a < nodes; ++a)
         patch.radius_m = std::max(patch.radius_m, beyond_ball * norm(difference(facet.nodes[a], patch.centre)));
+    find_box(patch);
     return patch;
 }
 

@@ -18,7 +18,9 @@ constexpr std::string_view contact_section = "contact";
 
 const Settings<ContactSettings>& contact_settings() {
     static const Settings<ContactSettings> settings{
-        flag("self", &ContactSettings::self, "contact of the actuator with itself and with its mirror images")};
+        flag("self", &ContactSettings::self, "contact of the actuator with itself and with its mirror images"),
+        number("distance", &ContactSettings::distance, {1e-4, 0.1},
+               "distance at which surfaces begin to act on each other, as a share of the size of their facets")};
     return settings;
 }
 

@@ -8,7 +8,7 @@ namespace soft::fem {
 namespace {
 
 /// Of the size of a facet: pairs this close are expected to touch soon.
-constexpr double nearly_in_contact = 0.05;
+constexpr double nearly_in_contact = 0.2;
 
 /// The unknowns of the displacement of an obstacle.
 std::array<PetscInt, 3> dofs_of(const model::Case& input, const std::string& obstacle) {

@@ -55,7 +55,8 @@ struct Obstacle {
 };
 
 struct ContactSettings {
-    bool self = true;  ///< contact of the actuator with itself
+    bool self = true;        ///< contact of the actuator with itself
+    double distance = 0.02;  ///< at which surfaces begin to act on each other, over the size of their facets
 };
 
 }  // namespace soft::model

@@ -103,6 +103,7 @@ std::vector<double> direction_of(const model::Case& model, unsigned seed, double
 
 model::Case with_settings(model::Case model) {
     model.mesh.region_names = {"rubber"};
+    model.path.contact = model::Contact::solve;
     model.mesh.cell_regions.assign(model.mesh.cell_types.size(), 0);
     return model;
 }

@@ -96,7 +96,7 @@ model::Case section_case() {
     model.obstacles = {{"wall", model::Plane{{0.9, 0, 0}, {-1, 0, 0}}},
                        {"die", model::FacetedSurface{{{0.5, 1, 0}, {1.0 / 3, 1.5, 0}, {0.7, 2, 0}},
                                                      {{0, 1, -1}, {1, 2, -1}, {2, 0, -1}}}}};
-    model.contact = {.self = false};
+    model.contact = {.self = false, .distance = 0.03};
     model.outputs = {{"elongation", "inlet", {-1, 0, 0}},
                      {"bend", "cavity", {0.6, 0.8, 0}, model::Measure::bend, "end_disc"}};
     model.path.stages = {

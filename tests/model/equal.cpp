@@ -202,6 +202,7 @@ void expect_equal(const Case& left, const Case& right) {
     });
     expect_all(left.obstacles, right.obstacles, [](const auto& a, const auto& b) { expect_equal(a, b); });
     EXPECT_EQ(left.contact.self, right.contact.self);
+    EXPECT_EQ(left.contact.distance, right.contact.distance);
     expect_all(left.path.stages, right.path.stages, [](const auto& a, const auto& b) { expect_equal(a, b); });
     EXPECT_EQ(left.path.branch, right.path.branch);
     EXPECT_EQ(left.path.imperfection_m, right.path.imperfection_m);

@@ -1,7 +1,8 @@
 """A long rubber cylinder between two rigid frictionless plates.   getfem_cylinder.py N TOP [KAPPA_OVER_MU]
 Prints force per depth [N/mm], half width of the contact [mm] and the half width of the section at approaches of 5, 10, 15, 20 % of the diameter."""
 import resource, sys
-from getfem_model import *
+import numpy as np
+from getfem_model import ON_X, ON_Y, OUTER, Rubber, advance, quarter_disc
 
 def main(n, top, ratio=1000., radius=10., mu=0.1):
     rubber = Rubber(quarter_disc(radius, n, top), (None, radius), mu, ratio * mu); md = rubber.md

@@ -3,7 +3,9 @@
     getfem_indentation.py punch N     rigid flat punch, a = 0.5 mm, d = 0.01 mm, against F = 8 mu a d
 N cells along 1.5 contact radii (sphere) or along the punch; the cells grow outward."""
 import resource, sys
-from getfem_model import *
+import getfem as gf
+import numpy as np
+from getfem_model import add_patch, faces_where
 
 what, n = sys.argv[1], int(sys.argv[2]); mu, kappa, size = 0.1, 1000., 50.
 radius, d = (10., 0.02) if what == 'sphere' else (0.5, 0.01)

@@ -5,7 +5,8 @@
 EI = E' t^3/12 with E' = 4 mu. Prints load, enclosed area over its undeformed value, positions of the inner, middle and outer point on x = 0
 and on y = 0 over R, contact force [N/mm] and CPU seconds."""
 import resource, sys
-from getfem_model import *
+import numpy as np
+from getfem_model import INNER, ON_X, ON_Y, OUTER, Rubber, advance, ring_sector
 
 HEADER = 'load,area,inner_height,middle_height,outer_height,inner_width,middle_width,outer_width,force_N_per_mm,cpu_s'
 

@@ -1,0 +1,113 @@
+#include "contact/candidates.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "contact/crossing.hpp"
+
+namespace soft::contact {
+
+namespace {
+
+/// Boxes grow by this fraction of the longest side of the undeformed facet.
+constexpr double growth = 0.25;
+/// Neighbouring facets act on each other where the angle between them falls below the sine of share_of_initial_gap.
+constexpr double folding_angle = 0.3;
+/// Neighbouring facets whose normal cones are this far from facing each other do not fold while they move by a fraction of their size.
+constexpr double safe_angle = 1.0;
+
+double longest_side(const Patch& patch) {
+    double longest = 0;
+    for (std::size_t d = 0; d < 3; ++d) longest = std::max(longest, patch.high[d] - patch.low[d]);
+    return longest;
+}
+
+bool may_fold(NormalCone a, const NormalCone& b, double angle) {
+    a.angle += angle;
+    return !is_visible_from_one_side(a, b);
+}
+
+/// Computes a cone once.
+class Cones {
+public:
+    explicit Cones(std::span<const Patch> patches) : patches_(patches) {}
+    const NormalCone& operator()(std::size_t i) {
+        auto known = cones_.find(i);
+        if (known == cones_.end()) known = cones_.emplace(i, normals(patches_[i])).first;
+        return known->second;
+    }
+
+private:
+    std::span<const Patch> patches_;
+    std::map<std::size_t, NormalCone> cones_;
+};
+
+}  // namespace
+
+Candidates::Candidates(ContactSurface& surface, bool self)
+    : surface_(surface), self_(self), reach_m_(std::numeric_limits<double>::max()) {
+    for (const auto& entry : surface.entries().first(surface.free_count()))
+        reach_m_ = std::min(reach_m_, growth * longest_side(entry.undeformed));
+}
+
+std::vector<Candidates::Pair> Candidates::search(std::span<const Patch> from, std::span<const Patch> to) const {
+    std::vector<surface::Box> boxes;
+    const auto entries = surface_.entries();
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const double margin_m = surface_.distance_m() + growth * longest_side(entries[i].undeformed);
+        surface::Box& box = boxes.emplace_back(surface::Box{from[i].low, from[i].high});
+        for (std::size_t d = 0; d < 3; ++d) {
+            box.low[d] = std::min(box.low[d], to[i].low[d]) - margin_m;
+            box.high[d] = std::max(box.high[d], to[i].high[d]) + margin_m;
+        }
+    }
+    std::vector<Pair> pairs;
+    Cones cones(from);
+    for (const auto& [first, second] : surface::overlapping_pairs(boxes)) {
+        const auto i = static_cast<std::size_t>(first), j = static_cast<std::size_t>(second);
+        const bool with_obstacle = j >= surface_.free_count();
+        if (i >= surface_.free_count() || (!with_obstacle && !self_)) continue;
+        const Adjacency kind = with_obstacle ? Adjacency::apart : surface_.adjacency(i, j);
+        const bool neighbours = kind == Adjacency::neighbours;
+        if (kind == Adjacency::sides_of_a_wall || (neighbours && !may_fold(cones(i), cones(j), safe_angle))) continue;
+        pairs.push_back({i, j, neighbours});
+    }
+    return pairs;
+}
+
+bool Candidates::has_moved(std::span<const Patch> patches) const {
+    for (std::size_t i = 0; i < patches.size(); ++i)
+        for (int a = 0; a < mesh::node_count(patches[i].type); ++a) {
+            const auto k = static_cast<std::size_t>(a);
+            const Vector3 motion = difference(patches[i].nodes[k], reference_[i].nodes[k]);
+            if (dot(motion, motion) > reach_m_ * reach_m_) return true;
+        }
+    return false;
+}
+
+std::vector<std::vector<std::size_t>> Candidates::between(std::span<const Patch> from, std::span<const Patch> to) {
+    std::vector<Pair> on_the_way;
+    const bool moves = from.data() != to.data();
+    bool fresh = false;
+    if (reference_.empty() || has_moved(from) || (moves && has_moved(to))) {
+        if (moves) {
+            on_the_way = search(from, to);
+            fresh = true;
+        } else {
+            pairs_ = search(from, to);
+            reference_.assign(from.begin(), from.end());
+        }
+    }
+    std::vector<std::vector<std::size_t>> others(surface_.free_count());
+    Cones cones(from);
+    for (const Pair& pair : fresh ? on_the_way : pairs_) {
+        if (pair.may_fold && !may_fold(cones(pair.first), cones(pair.second), folding_angle)) continue;
+        others[pair.first].push_back(pair.second);
+        if (pair.second < surface_.free_count()) others[pair.second].push_back(pair.first);
+    }
+    for (auto& list : others) std::ranges::sort(list);
+    return others;
+}
+
+}  // namespace soft::contact

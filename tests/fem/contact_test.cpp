@@ -1,0 +1,68 @@
+#include "fem/contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include "fem/system.hpp"
+#include "sample_cases.hpp"
+#include "sample_states.hpp"
+
+namespace soft::fem {
+namespace {
+
+/// A box that touches a rigid plane at its side y = 10 mm.
+model::Case box_at_plane(bool incompressible) {
+    auto input = box_case(2, incompressible);
+    input.obstacles.push_back({"plate", model::Plane{{0, 0.01, 0}, {0, -1, 0}}});
+    return input;
+}
+
+struct Assembled {
+    linalg::Vector R;
+    linalg::Matrix K;
+};
+
+Assembled assemble(System& system, Vec x) {
+    Assembled at{system.make_vector(), system.make_matrix()};
+    const auto levels = no_loads(system.input());
+    system.evaluate(x, levels, at.R, at.K, {});
+    return at;
+}
+
+TEST(Contact, TangentIsTheSymmetricDerivativeOfTheResidual) {
+    for (const bool incompressible : {false, true}) {
+        const auto input = box_at_plane(incompressible);
+        System system(input, PETSC_COMM_WORLD);
+        const auto x = wavy(system, 2e-5, 0.3), d = wavy(system, 2e-5, 1.1);
+        const Assembled at = assemble(system, x);
+        PetscBool symmetric = PETSC_FALSE;
+        SOFT_PETSC(MatIsSymmetric(at.K, 1e-6 * sample_mu_Pa, &symmetric));
+        EXPECT_TRUE(symmetric);
+        const auto remainder = [&](double step) {
+            auto there = linalg::duplicate(x), change = system.make_vector();
+            linalg::copy(x, there);
+            linalg::add(there, step, d);
+            SOFT_PETSC(MatMult(at.K, d, change));
+            const Assembled next = assemble(system, there);
+            linalg::add(next.R, -1.0, at.R);
+            linalg::add(next.R, -step, change);
+            return linalg::norm(next.R);
+        };
+        EXPECT_TRUE(system.contact().measure(x).touches());
+        EXPECT_NEAR(remainder(0.02) / remainder(0.01), 4.0, 0.4);
+    }
+}
+
+TEST(Contact, NothingActsWithoutTouch) {
+    auto input = box_at_plane(false);
+    System with(input, PETSC_COMM_WORLD);
+    input.obstacles.clear();
+    System without(input, PETSC_COMM_WORLD);
+    const auto x = with.make_vector();
+    EXPECT_FALSE(with.contact().measure(x).touches());
+    const auto R = assemble(with, x).R;
+    linalg::add(R, -1.0, assemble(without, x).R);
+    EXPECT_EQ(linalg::norm(R), 0.0);
+}
+
+}  // namespace
+}  // namespace soft::fem
