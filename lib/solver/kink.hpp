@@ -1,6 +1,7 @@
 #pragma once
-/// Kinks of the path. Where a fibre becomes slack or taut, the tangent K jumps, and with it the direction of the path: it
-/// may turn by more than a right angle, and the load may reverse; then no step along the direction before the kink converges.
+/// Kinks of the path. Where a fibre becomes slack or taut, or a point in contact slides over an edge, the tangent K jumps, and with it the
+/// direction of the path: it may turn by more than a right angle, and the load may reverse; then no step along the direction before the
+/// kink converges.
 /// Beyond the kink the path belongs to another smooth piece of the law, with the direction +-K^-1 f and the K of the far side. The
 /// sign is the one that leads away from the kink and stays in that piece (paths of piecewise linear maps: Allgower and Georg,
 /// Introduction to Numerical Continuation Methods (2003) 12). Internal to the module. Tested by solver/kink_test.
