@@ -24,8 +24,8 @@ constexpr double beside_bifurcation = 0.05, min_beside = 1e-6;
 constexpr double same_mode = 0.9;
 /// Fraction of the distance between the rows on both sides: states farther apart than this belong to two branches.
 constexpr double apart = 0.05;
-/// The step in which contact occurs is halved this many times.
-constexpr int contact_halvings = 8;
+/// The step in which contact occurs is halved this many times: where the path ends there, and where a row follows.
+constexpr int contact_halvings = 8, first_contact_halvings = 12;
 
 /// A vector without any symmetry, the same in every run and on any number of ranks.
 linalg::Vector generic_vector(const fem::System& system) {
@@ -202,7 +202,7 @@ contact::Summary contact_at(Corrector& corrector, const PathState& path, const S
 std::optional<Event> locate_first_contact(Corrector& corrector, const PathState& path, const PathPoint& to) {
     if (!to.touches || path.last->touches) return std::nullopt;
     std::optional<PathPoint> apart, touching;
-    for (int i = 0; i < contact_halvings; ++i) {
+    for (int i = 0; i < first_contact_halvings; ++i) {
         const PathPoint &a = apart ? *apart : *path.last, &b = touching ? *touching : to;
         auto middle = corrector.solve_between(frame_of(path), a, b, 0.5 * (a.q + b.q));
         if (!middle) break;

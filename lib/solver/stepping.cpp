@@ -14,7 +14,7 @@ namespace {
 /// converged to another branch.
 constexpr double predictor_error_limit = 0.5;
 /// A step along the tangent alone is repeated where the square of its error, an estimate of the error of the curve between its
-/// rows, exceeds this multiple of step_accuracy.
+/// rows, exceeds this multiple of step_accuracy; in contact, where the curve may bend suddenly, also one along the cubic.
 constexpr double coarse_curve = 2.0;
 /// Below this predictor error the state belongs to the same branch.
 constexpr double predictor_error_without_jump = 0.05;
@@ -119,12 +119,12 @@ bool is_refused(const fem::System& system, const PathState& path, const Predicto
 bool shorten_for_the_curve(const fem::System& system, PathState& path, const Aim& aim, double missed, double taken) {
     const model::SolverSettings& settings = system.input().solver;
     const bool squared = aim.straight && settings.predictor != model::Predictor::tangent;
-    if (settings.steps != model::StepRule::error_adaptive || !squared) return false;
-    const double error = missed * missed;
+    if (settings.steps != model::StepRule::error_adaptive || (!squared && !path.last->touches)) return false;
+    const double error = squared ? missed * missed : missed, order = squared ? 2.0 : 3.0;
     auto& rejected = path.attempts.rejected_curve_error;
     const bool kink = rejected && error > error_at_a_kink * *rejected;
     if (error <= coarse_curve * settings.step_accuracy || kink) return false;
-    const double shorter = std::max(0.9 * std::sqrt(settings.step_accuracy / error), min_retake) * taken;
+    const double shorter = std::max(0.9 * std::pow(settings.step_accuracy / error, 1.0 / order), min_retake) * taken;
     if (is_first_try(system, path, shorter))
         path.first_step = round_step_size(shorter);
     else if (std::abs(shorter / path.first_step) < settings.min_step)
