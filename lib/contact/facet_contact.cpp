@@ -123,7 +123,7 @@ void FacetContact::add_features(std::size_t q, const Point& x) {
         const double h = entry_.h_m[q], size = other.obstacle < 0 ? other.size_m : entry_.size_m,
                      range = std::max(h, overlap_share_of_size * size);
         if (const double beyond = at_least(patch, x); beyond > range) {
-            clearances_m_[k] = std::min(clearances_m_[k], beyond);
+            clearances_m_[k] = std::min(clearances_m_[k], beyond - h);
             continue;
         }
         const ClosestPoint closest = closest_point(patch, x);

@@ -151,6 +151,25 @@ TEST_P(PotentialOf, DerivativesOfContactWithObstaclesAreExact) {
     }
 }
 
+/// Pairs of facets that are apart are not computed again until they may have moved by their distance.
+TEST_P(PotentialOf, EnergyDoesNotDependOnEarlierStates) {
+    const model::Case model = with_settings(test::two_blocks(3, GetParam(), model::Kinematics::solid));
+    Potential potential(model, std::array{modulus_Pa});
+    const double h = potential.distance_m();
+    int touching = 0;
+    for (double gap = 1; gap > 0.3 * h; gap -= std::max(0.05 * gap, 0.1 * h)) {
+        State state{model.mesh.points, {}};
+        for (Point& x : state.positions)
+            if (x[0] >= 2) x[0] -= 1 - gap;
+        state = moved(state, 1, direction_of(model, 3, 0.1 * h));
+        Potential fresh(model, std::array{modulus_Pa});
+        const auto at = derivatives(potential, state.positions, {}), again = derivatives(fresh, state.positions, {});
+        EXPECT_EQ(at.summary.energy_J, again.summary.energy_J) << gap;
+        touching += again.summary.touches() ? 1 : 0;
+    }
+    EXPECT_GT(touching, 3);
+}
+
 INSTANTIATE_TEST_SUITE_P(AllCells, PotentialOf, testing::ValuesIn(test::all_cells));
 
 TEST(Barrier, HasTwoContinuousDerivativesAndRepels) {
