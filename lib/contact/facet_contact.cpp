@@ -123,14 +123,14 @@ void FacetContact::add_features(std::size_t q, const Point& x) {
         const double h = entry_.h_m[q], size = other.obstacle < 0 ? other.size_m : entry_.size_m,
                      range = std::max(h, overlap_share_of_size * size);
         if (const double beyond = at_least(patch, x); beyond > range) {
-            clearances_m_[k] = std::min(clearances_m_[k], beyond - h);
+            clearances_m_[k] = std::min(clearances_m_[k], beyond - range);
             continue;
         }
         const ClosestPoint closest = closest_point(patch, x);
         if (is_at(q, other)) continue;
         const auto y = patch(closest.xi);
         const bool behind = dot(difference(x, y.x), cross(y.t1, y.t2)) < 0;
-        clearances_m_[k] = std::min(clearances_m_[k], closest.distance_m - (behind ? range : h));
+        clearances_m_[k] = std::min(clearances_m_[k], closest.distance_m - range);
         if (closest.distance_m > range) continue;
         touches = touches || closest.distance_m < h || behind;
         facets[other.obstacle].push_back(j);
@@ -139,22 +139,22 @@ void FacetContact::add_features(std::size_t q, const Point& x) {
     for (const auto& [obstacle, list] : facets) add_features_of(q, x, features_near(at_.surface, at_.patches, list, x));
 }
 
-/// The terms of one point that have the same closest point must cancel, so all features behind which it lies act, or none.
+/// The terms of one point that have the same closest point must cancel, so all features behind which it lies act, or none: as the closest
+/// facet among them.
 void FacetContact::add_features_of(std::size_t q, const Point& x, std::span<const Feature> features) {
-    std::optional<bool> passed;
-    for (const Feature& feature : features) {
-        if (is_behind(feature, at_.patches, x)) {
-            if (!passed) {
-                const Feature& closest = *std::ranges::find(features, true, &Feature::is_closest);
-                const auto& other = at_.surface.entries()[closest.facet];
-                passed = other.obstacle >= 0 ||
-                         has_passed(entry_, q, other.undeformed, closest_point(other.undeformed, entry_.X[q]),
-                                    closest.closest.distance_m, is_facing(map_, entry_, q, closest.normal));
-            }
-            if (!*passed) continue;
-        }
-        add_feature(q, x, feature);
+    const Feature* passed = nullptr;
+    for (const Feature& feature : features)
+        if (feature.kind == Feature::Kind::facet && is_behind(feature, at_.patches, x) &&
+            (passed == nullptr || feature.closest.distance_m < passed->closest.distance_m))
+            passed = &feature;
+    if (passed != nullptr) {
+        const auto& other = at_.surface.entries()[passed->facet];
+        if (other.obstacle < 0 && !has_passed(entry_, q, other.undeformed, closest_point(other.undeformed, entry_.X[q]),
+                                              passed->closest.distance_m, is_facing(map_, entry_, q, passed->normal)))
+            passed = nullptr;
     }
+    for (const Feature& feature : features)
+        if (passed != nullptr || !is_behind(feature, at_.patches, x)) add_feature(q, x, feature);
 }
 
 /// The derivatives of the distance d follow from those of f = d^2/2: grad d = n and d hess d = hess f - n n^T.

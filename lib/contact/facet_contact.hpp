@@ -44,7 +44,7 @@ public:
 
     /// Sums over the sample points and passes the blocks on.
     void add(const std::function<void(const Block&)>& to);
-    /// By other facet, after add(): the motion towards it after which a point of this facet may touch it; 0 or less in contact.
+    /// By other facet, after add(): the motion towards it after which a point of this facet may touch it or lie behind it.
     [[nodiscard]] std::span<const double> clearances_m() const { return clearances_m_; }
 
 private:
