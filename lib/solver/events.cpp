@@ -201,12 +201,12 @@ contact::Summary contact_at(Corrector& corrector, const PathState& path, const S
 /// Bisects on states of the path: a cubic between both states does not bend where the path does, at the contact.
 std::optional<Event> locate_first_contact(Corrector& corrector, const PathState& path, const PathPoint& to) {
     if (!to.touches || path.last->touches) return std::nullopt;
-    std::optional<PathPoint> apart, touching;
+    std::optional<PathPoint> before, touching;
     for (int i = 0; i < first_contact_halvings; ++i) {
-        const PathPoint &a = apart ? *apart : *path.last, &b = touching ? *touching : to;
+        const PathPoint &a = before ? *before : *path.last, &b = touching ? *touching : to;
         auto middle = corrector.solve_between(frame_of(path), a, b, 0.5 * (a.q + b.q));
         if (!middle) break;
-        (middle->touches ? touching : apart) = std::move(middle);
+        (middle->touches ? touching : before) = std::move(middle);
     }
     const contact::Summary touch = contact_at(corrector, path, touching ? touching->state : to.state);
     if (!touching) return std::nullopt;

@@ -14,6 +14,7 @@ same() {   # same TEXT CASE COMMAND: writes out.h5 as `solve -q CASE.h5 -o out.h
     claim "$2, $1: it runs" exits 0
     claim "$2, $1: the bytes are the same" cmp out.h5 "$2.first"
 }
+kernel=${OPENBLAS_CORETYPE:+OPENBLAS_CORETYPE=$OPENBLAS_CORETYPE}   # another kernel of BLAS gives other digits
 for case in section solid motion; do
     solve="solve -q $case.h5 -o out.h5"
     runs "$solve && mv out.h5 $case.first"
@@ -21,7 +22,7 @@ for case in section solid motion; do
     same 'at fixed addresses (no ASLR)' $case "setarch -R $solve"
     same 'with two other busy processes' $case "for i in 1 2; do (while :; do :; done) & done; $solve; code=\$?; kill %1 %2; exit \$code"
     same 'with three threads set in the environment' $case "OMP_NUM_THREADS=3 OPENBLAS_NUM_THREADS=3 $solve"
-    same 'with another locale and time zone in an otherwise empty environment' $case "env -i PATH=\"\$PATH\" TZ=Pacific/Chatham LC_ALL=de_DE.UTF-8 $solve"
+    same 'with another locale and time zone in an otherwise empty environment' $case "env -i PATH=\"\$PATH\" $kernel TZ=Pacific/Chatham LC_ALL=de_DE.UTF-8 $solve"
 done
 echo '-ksp_rtol 1e-1' >.petscrc
 same 'with PETSc options in a petscrc file' solid 'solve -q solid.h5 -o out.h5'
