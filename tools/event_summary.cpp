@@ -24,7 +24,7 @@ std::string output_text(const model::Output& output, double value) {
     return output.name + " " + core::rounded_text(value / unit.SI_per_shown, 6) + " " + std::string{unit.shown};
 }
 
-nlohmann::ordered_json contact_json(nlohmann::ordered_json point, const model::FirstContact& contact,
+nlohmann::ordered_json contact_json(const nlohmann::ordered_json& point, const model::FirstContact& contact,
                                     const model::Case& model) {
     nlohmann::ordered_json json = {{"kind", "first_contact"}};
     json.update(point);

@@ -16,9 +16,9 @@ constexpr double shortest = 0.05, longest = 4.0;
 
 /// Halves the length until `accept` returns true.
 template <class Accept>
-Search halve(double longest, const std::function<Trial(double)>& at, Accept&& accept) {
+Search halve(double first, const std::function<Trial(double)>& at, Accept&& accept) {
     Search found;
-    found.length = longest;
+    found.length = first;
     for (int attempt = 0;; ++attempt, found.length *= 0.5) {
         if (attempt == trial_limit) {
             found.end = found.trial.admissible ? SearchEnd::no_descent : SearchEnd::inverted;
@@ -30,8 +30,8 @@ Search halve(double longest, const std::function<Trial(double)>& at, Accept&& ac
     }
 }
 
-Search whole(double longest, const std::function<Trial(double)>& at) {
-    return halve(longest, at, [](const Trial&, double) { return true; });
+Search whole(double first, const std::function<Trial(double)>& at) {
+    return halve(first, at, [](const Trial&, double) { return true; });
 }
 
 /// Secant method on the last two lengths: between them, or beyond the last where g has not changed sign.
