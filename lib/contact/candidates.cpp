@@ -10,12 +10,15 @@ namespace soft::contact {
 
 namespace {
 
-/// Boxes grow by this fraction of the longest side of the undeformed facet.
-constexpr double growth = 0.25;
+/// Boxes grow by this fraction of the longest side of the undeformed facet, and a search holds until nodes have moved by the fraction
+/// `reach` of the shortest: points of second-order facets move by up to 5/3 of that, and pairs act from 0.2 facet sizes on. So every pair
+/// that acts is a candidate, whatever states came before.
+constexpr double growth = 0.4, reach = 0.06;
 /// Neighbouring facets act on each other where the angle between them falls below the sine of share_of_initial_gap.
 constexpr double folding_angle = 0.3;
-/// Neighbouring facets whose normal cones are this far from facing each other do not fold while they move by a fraction of their size.
-constexpr double safe_angle = 1.0;
+/// Neighbouring facets whose normal cones are this far from facing each other do not fold within `reach`, which turns each normal by up to
+/// 0.45.
+constexpr double safe_angle = 1.2;
 
 double longest_side(const Patch& patch) {
     double longest = 0;
@@ -48,7 +51,7 @@ private:
 Candidates::Candidates(ContactSurface& surface, bool self)
     : surface_(surface), self_(self), reach_m_(std::numeric_limits<double>::max()) {
     for (const auto& entry : surface.entries().first(surface.free_count()))
-        reach_m_ = std::min(reach_m_, growth * longest_side(entry.undeformed));
+        reach_m_ = std::min(reach_m_, reach * longest_side(entry.undeformed));
 }
 
 std::vector<Candidates::Pair> Candidates::search(std::span<const Patch> from, std::span<const Patch> to) const {

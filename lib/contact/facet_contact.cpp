@@ -56,9 +56,8 @@ FacetContact::FacetContact(const ContactState& at, std::size_t facet, std::span<
     double radius = entry_.distance_m;
     for (std::size_t a = 0; a < entry_.nodes.size(); ++a)
         radius = std::max(radius, entry_.distance_m + 1.5 * norm(difference(map_.nodes[a], middle)));
-    for (const SmoothObstacle& obstacle : at.smooth) {
-        if (obstacle.distance(at.shifted_back(middle, obstacle.index)).value_m < radius) near_.push_back(&obstacle);
-    }
+    for (const SmoothObstacle& obstacle : at.smooth)
+        if (obstacle.at(middle, at.shifts).value_m < radius) near_.push_back(&obstacle);
     clearances_m_.assign(others.size(), std::numeric_limits<double>::max());
 }
 
@@ -210,7 +209,7 @@ void FacetContact::add_feature(std::size_t q, const Point& x, const Feature& fea
 }
 
 void FacetContact::add_smooth(std::size_t q, const Point& x, const SmoothObstacle& obstacle) {
-    const Distance d = obstacle.distance(at_.shifted_back(x, obstacle.index));
+    const Distance d = obstacle.at(x, at_.shifts);
     const double h = entry_.h_m[q], initial = obstacle.distance(entry_.X[q]).value_m;
     const bool mirror = obstacle.index < 0;
     if (mirror && initial <= same_point * entry_.size_m) return;

@@ -20,7 +20,12 @@ namespace soft::contact {
 /// An obstacle with a smooth surface, or a mirror plane (index -1).
 struct SmoothObstacle {
     int index = -1;
-    std::function<Distance(const mesh::Point&)> distance;
+    std::function<Distance(const mesh::Point&)> distance;  ///< undisplaced
+
+    /// `shifts`: displacement of each obstacle.
+    [[nodiscard]] Distance at(const mesh::Point& x, std::span<const Vector3> shifts) const {
+        return distance(index < 0 ? x : along(x, -1, shifts[static_cast<std::size_t>(index)]));
+    }
 };
 
 /// What all facets of one evaluation share.
@@ -30,11 +35,6 @@ struct ContactState {
     std::span<const SmoothObstacle> smooth;
     std::span<const Vector3> shifts;
     Wanted wanted;
-
-    /// A point relative to an obstacle's undisplaced position.
-    [[nodiscard]] mesh::Point shifted_back(const mesh::Point& x, int obstacle) const {
-        return obstacle < 0 ? x : along(x, -1, shifts[static_cast<std::size_t>(obstacle)]);
-    }
 };
 
 class FacetContact {

@@ -24,9 +24,9 @@ class Potential::Parts {
 public:
     Parts(const model::Case& model, std::span<const double> modulus_Pa)
         : surface(model, modulus_Pa),
-          candidates(surface, model.contact.self && model.path.contact == model::Contact::solve),
-          separations(surface.entries().size()),
           self(model.contact.self && model.path.contact == model::Contact::solve),
+          candidates(surface, self),
+          separations(surface.entries().size()),
           obstacles(model.obstacles.size()) {
         for (std::size_t k = 0; k < obstacles; ++k)
             std::visit(
@@ -50,9 +50,9 @@ public:
                                                 std::span<const Patch> to, std::span<const Vector3> shifts_to);
 
     ContactSurface surface;
+    bool self;
     Candidates candidates;
     Separations separations;
-    bool self;
     std::size_t obstacles;
     std::vector<SmoothObstacle> smooth;
 };
@@ -76,12 +76,8 @@ double Potential::Parts::share_without_crossing(std::span<const Patch> from, std
         for (const std::size_t j : others[i])
             if (separations.clearance_m(i, j, to) <= 0) near.push_back(j);
         std::vector<const SmoothObstacle*> near_smooth;
-        for (const SmoothObstacle& obstacle : smooth) {
-            const Point centre = obstacle.index < 0
-                                     ? to[i].centre
-                                     : along(to[i].centre, -1, shifts_to[static_cast<std::size_t>(obstacle.index)]);
-            if (obstacle.distance(centre).value_m < to[i].radius_m) near_smooth.push_back(&obstacle);
-        }
+        for (const SmoothObstacle& obstacle : smooth)
+            if (obstacle.at(to[i].centre, shifts_to).value_m < to[i].radius_m) near_smooth.push_back(&obstacle);
         if (near.empty() && near_smooth.empty()) continue;
         for (std::size_t q = 0; q < entry.X.size(); ++q) {
             const Point x = from[i](entry.rule->xi[q]).x, next = to[i](entry.rule->xi[q]).x;
@@ -105,10 +101,7 @@ double Potential::Parts::share_without_crossing(std::span<const Patch> from, std
                 limit(behind * closest.distance_m, -behind * dot(relative, r) / closest.distance_m, size_of(i, j));
             }
             for (const SmoothObstacle* obstacle : near_smooth) {
-                const bool mirror = obstacle->index < 0;
-                const auto k = static_cast<std::size_t>(std::max(obstacle->index, 0));
-                const double before = obstacle->distance(mirror ? x : along(x, -1, shifts[k])).value_m,
-                             after = obstacle->distance(mirror ? next : along(next, -1, shifts_to[k])).value_m;
+                const double before = obstacle->at(x, shifts).value_m, after = obstacle->at(next, shifts_to).value_m;
                 if (after < 0) limit(before, before - after, entry.size_m);
             }
         }
@@ -162,10 +155,10 @@ double Potential::share_without_crossing(std::span<const Point> from, std::span<
                                           parts_->surface.patches(to, shifts_to), shifts_to);
 }
 
-std::vector<std::array<mesh::Facet, 2>> Potential::near_pairs(std::span<const Point> positions, double share) {
+std::vector<std::array<mesh::Facet, 2>> Potential::near_pairs(std::span<const Point> positions,
+                                                              std::span<const Vector3> shifts, double share) {
     std::vector<std::array<mesh::Facet, 2>> pairs;
     if (!parts_->self) return pairs;
-    const std::vector<Vector3> shifts(parts_->obstacles);
     const auto patches = parts_->surface.patches(positions, shifts);
     const auto entries = parts_->surface.entries();
     const std::size_t count = parts_->surface.free_count();
@@ -179,7 +172,8 @@ std::vector<std::array<mesh::Facet, 2>> Potential::near_pairs(std::span<const Po
     const auto others = parts_->candidates.between(patches, patches);
     for (std::size_t i = 0; i < count; ++i)
         for (const std::size_t j : others[i])
-            if (i < j && (is_close(i, j) || is_close(j, i))) pairs.push_back({entries[i].facet, entries[j].facet});
+            if (i < j && j < count && (is_close(i, j) || is_close(j, i)))
+                pairs.push_back({entries[i].facet, entries[j].facet});
     return pairs;
 }
 

@@ -116,7 +116,7 @@ bool Contact::couple(Vec x) {
 bool Contact::couple() {
     std::vector<std::vector<PetscInt>> couplings;
     if (evaluate(contact::Wanted::gradient, [](std::span<const PetscInt>, const contact::Block&) {}).touches())
-        for (const auto& [first, second] : potential_.near_pairs(positions_, nearly_in_contact)) {
+        for (const auto& [first, second] : potential_.near_pairs(positions_, shifts_, nearly_in_contact)) {
             auto nodes = mesh::facet_nodes(fe_.input.mesh, first);
             const auto others = mesh::facet_nodes(fe_.input.mesh, second);
             nodes.insert(nodes.end(), others.begin(), others.end());

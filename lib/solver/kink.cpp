@@ -144,6 +144,7 @@ std::optional<PathPoint> pass_kink(Corrector& corrector, const PathState& path, 
         const double step = failed_step * std::pow(shorter_reach, attempt);
         const State beyond = moved(path.last->state, step, path.last->tangent);
         const double along = along_new_direction * std::abs(step) * linalg::norm(path.last->tangent.x);
+        // Contact forces have a potential with two derivatives: K is symmetric, so that the count of pivots gives the sense.
         auto turned = oriented_direction(corrector, path, beyond);
         if (turned && corrector.system().has_fibers() &&
             !find_consistent_direction(corrector, path, beyond, along, *turned))

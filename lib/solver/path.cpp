@@ -232,7 +232,7 @@ void PathFollower::recover() {
     if (is_first_try(system_, path_, path_.step)) path_.first_step = path_.step;
     const double share = std::abs(path_.step / path_.first_step) / input_.solver.min_step;
     const bool too_short = share < 1.0;
-    const bool may_be_kink = (system_.has_fibers() || path_.last->touches) && attempt.end != NewtonEnd::not_finite &&
+    const bool may_be_kink = may_have_kinks(system_, *path_.last) && attempt.end != NewtonEnd::not_finite &&
                              (failures >= failures_before_kink || too_short);
     if (auto point = may_be_kink ? pass_kink(corrector_, path_, failed) : std::nullopt) {
         report_row("passed a kink to " + describe(*point));

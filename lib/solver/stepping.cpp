@@ -86,12 +86,14 @@ State guess_of(const Aim& aim, const PathState& path, model::Predictor predictor
 
 double PredictorError::larger() const { return std::max(state, load_share * load); }
 
+bool may_have_kinks(const fem::System& system, const PathPoint& point) { return system.has_fibers() || point.touches; }
+
 PredictorError error_of(const fem::System& system, const PathState& path, const Aim& aim, const PathPoint& point) {
     const model::SolverSettings& settings = system.input().solver;
     const double unknown = equilibrium_margin * settings.residual_tolerance;
     const double error = distance(aim.forecast.x, point.state.x), change = distance(point.state.x, path.last->state.x);
     const double size = linalg::norm(point.state.x), negligible = negligible_error * settings.step_accuracy;
-    const double step = std::max(change, system.has_fibers() || point.touches ? min_kinked_step * size : 0.0);
+    const double step = std::max(change, may_have_kinks(system, point) ? min_kinked_step * size : 0.0);
     const double load = std::abs(point.leading);
     const double load_error = std::abs(leading_of(system.input(), *path.loads, aim.forecast) - point.leading);
     const double load_step = std::max(std::abs(point.leading - path.last->leading), flat_load * load);
@@ -104,7 +106,7 @@ bool is_refused(const fem::System& system, const PathState& path, const Predicto
     if (path.control.kind == ConstraintKind::load_factor && error.state > predictor_error_without_jump && modes &&
         modes_before && *modes != *modes_before)
         return true;
-    if ((system.has_fibers() || path.last->touches) && path.control.kind == ConstraintKind::arc &&
+    if (may_have_kinks(system, *path.last) && path.control.kind == ConstraintKind::arc &&
         path.attempts.failures < failures_before_kink) {
         const auto before = branch_index(path, *path.last), here = branch_index(path, point);
         if (before && here && (*before - *here) % 2 != 0) return true;

@@ -5,7 +5,7 @@
 
 namespace soft::solver {
 
-/// Consecutive failures before a body with fibres is assumed to be at a kink of its path.
+/// Consecutive failures before a path that may have kinks is assumed to be at a kink of its path.
 inline constexpr int failures_before_kink = 3;
 /// Times the tolerance of equilibrium, relative to the state or load: a predictor error below the accuracy of the state itself
 /// gives no information about the step.
@@ -24,6 +24,9 @@ struct Aim {
 
 /// The initial guess of Newton's method.
 [[nodiscard]] State guess_of(const Aim& aim, const PathState& path, model::Predictor predictor);
+
+/// Where the direction of the path may jump (kink.hpp): with fibres, and in contact.
+[[nodiscard]] bool may_have_kinks(const fem::System& system, const PathPoint& point);
 
 /// Relative to the step: of the state, and of the leading load.
 struct PredictorError {
