@@ -15,10 +15,10 @@ namespace {
 /// that acts is a candidate, whatever states came before.
 constexpr double growth = 0.4, reach = 0.06;
 /// Neighbouring facets act on each other where the angle between them falls below the sine of share_of_initial_gap.
-constexpr double folding_angle = 0.3;
+constexpr double folding_angle = 1.0;
 /// Neighbouring facets whose normal cones are this far from facing each other do not fold within `reach`, which turns each normal by up to
 /// 0.45.
-constexpr double safe_angle = 1.2;
+constexpr double safe_angle = 1.9;
 
 double longest_side(const Patch& patch) {
     double longest = 0;

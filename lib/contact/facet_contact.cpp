@@ -10,7 +10,7 @@ namespace {
 
 using mesh::Point;
 
-/// A point behind a facet by less than this fraction of the facet's size overlaps with it.
+/// A point behind a facet by less than this fraction of its own facet's size overlaps with it.
 constexpr double overlap_share_of_size = 0.2;
 /// Rubber between two surfaces is rarely compressed to less than this fraction of its thickness.
 constexpr double least_compression = 0.2;
@@ -40,8 +40,8 @@ bool is_behind(const Feature& feature, std::span<const Patch> patches, const Poi
 
 }  // namespace
 
-bool has_passed(const ContactSurface::Entry& entry, std::size_t q, const Patch& undeformed, const ClosestPoint& before,
-                double distance_m, bool faces) {
+bool has_passed_through(const ContactSurface::Entry& entry, std::size_t q, const Patch& undeformed,
+                        const ClosestPoint& before, double distance_m, bool faces) {
     const auto at = undeformed(before.xi);
     const Vector3 n = cross(at.t1, at.t2), arm = difference(entry.X[q], at.x);
     const double height = dot(arm, n) / norm(n), off_m = off_the_plane * before.distance_m;
@@ -119,8 +119,7 @@ void FacetContact::add_features(std::size_t q, const Point& x) {
         const std::size_t j = others_[k];
         const auto& other = at_.surface.entries()[j];
         const Patch& patch = at_.patches[j];
-        const double h = entry_.h_m[q], size = other.obstacle < 0 ? other.size_m : entry_.size_m,
-                     range = std::max(h, overlap_share_of_size * size);
+        const double h = entry_.h_m[q], range = std::max(h, overlap_share_of_size * entry_.size_m);
         if (const double beyond = at_least(patch, x); beyond > range) {
             clearances_m_[k] = std::min(clearances_m_[k], beyond - range);
             continue;
@@ -138,33 +137,39 @@ void FacetContact::add_features(std::size_t q, const Point& x) {
     for (const auto& [obstacle, list] : facets) add_features_of(q, x, features_near(at_.surface, at_.patches, list, x));
 }
 
-/// The terms of one point that have the same closest point must cancel, so all features behind which it lies act, or none: as the closest
-/// facet among them.
+bool FacetContact::has_passed(std::size_t q, const Point& x, const Feature& closest) const {
+    if (!is_behind(closest, at_.patches, x)) return false;
+    const auto& other = at_.surface.entries()[closest.facet];
+    return other.obstacle >= 0 ||
+           has_passed_through(entry_, q, other.undeformed, closest_point(other.undeformed, entry_.X[q]),
+                              closest.closest.distance_m, is_facing(map_, entry_, q, closest.normal));
+}
+
+/// A point is behind a surface if it is behind the part of it that is closest. Then all parts behind which it lies act: the terms that have
+/// the same closest point must cancel.
 void FacetContact::add_features_of(std::size_t q, const Point& x, std::span<const Feature> features) {
-    const Feature* passed = nullptr;
-    for (const Feature& feature : features)
-        if (feature.kind == Feature::Kind::facet && is_behind(feature, at_.patches, x) &&
-            (passed == nullptr || feature.closest.distance_m < passed->closest.distance_m))
-            passed = &feature;
-    if (passed != nullptr) {
-        const auto& other = at_.surface.entries()[passed->facet];
-        if (other.obstacle < 0 && !has_passed(entry_, q, other.undeformed, closest_point(other.undeformed, entry_.X[q]),
-                                              passed->closest.distance_m, is_facing(map_, entry_, q, passed->normal)))
-            passed = nullptr;
+    std::map<std::size_t, const Feature*> closest;  // by group
+    for (const Feature& feature : features) {
+        if (feature.kind != Feature::Kind::facet) continue;
+        const Feature*& known = closest[feature.group];
+        if (known == nullptr || feature.closest.distance_m < known->closest.distance_m) known = &feature;
     }
-    for (const Feature& feature : features)
-        if (passed != nullptr || !is_behind(feature, at_.patches, x)) add_feature(q, x, feature);
+    for (const auto& [group, facet] : closest) {
+        const bool passed = has_passed(q, x, *facet);
+        for (const Feature& feature : features)
+            if (feature.group == group && (passed || !is_behind(feature, at_.patches, x))) add_feature(q, x, feature);
+    }
 }
 
 /// The derivatives of the distance d follow from those of f = d^2/2: grad d = n and d hess d = hess f - n n^T.
 void FacetContact::add_feature(std::size_t q, const Point& x, const Feature& feature) {
     const auto& other = at_.surface.entries()[feature.facet];
     const bool itself = other.obstacle < 0;
-    const double h = entry_.h_m[q], distance = feature.closest.distance_m, size = itself ? other.size_m : entry_.size_m;
+    const double h = entry_.h_m[q], distance = feature.closest.distance_m;
     const FacetJet y = jet(at_.patches[feature.facet], feature.closest.xi);
     const Vector3 r = difference(x, y.y);
     const bool behind = is_behind(feature, at_.patches, x);
-    if (distance >= (behind ? overlap_share_of_size * size : h)) return;
+    if (distance >= (behind ? overlap_share_of_size * entry_.size_m : h)) return;
     double reach = h, gap = behind ? -distance : distance;
     if (itself) {
         const double near = h / share_of_initial_gap, bound = at_least(other.undeformed, entry_.X[q]);

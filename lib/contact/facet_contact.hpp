@@ -14,8 +14,8 @@ namespace soft::contact {
 /// Whether a sample point that is `distance_m` behind a facet has passed through it. In the undeformed state it was in front of it; or in its
 /// plane, and now faces it; or behind it, and now faces it and is closer than rubber between them can be. `before`: closest point of the
 /// undeformed facet.
-[[nodiscard]] bool has_passed(const ContactSurface::Entry& entry, std::size_t q, const Patch& undeformed,
-                              const ClosestPoint& before, double distance_m, bool faces);
+[[nodiscard]] bool has_passed_through(const ContactSurface::Entry& entry, std::size_t q, const Patch& undeformed,
+                                      const ClosestPoint& before, double distance_m, bool faces);
 
 /// An obstacle with a smooth surface, or a mirror plane (index -1).
 struct SmoothObstacle {
@@ -52,6 +52,8 @@ private:
     [[nodiscard]] bool is_at(std::size_t q, const ContactSurface::Entry& other) const;
     void add_features(std::size_t q, const mesh::Point& x);
     void add_features_of(std::size_t q, const mesh::Point& x, std::span<const Feature> features);
+    /// Whether the point has passed through the facet closest to it.
+    [[nodiscard]] bool has_passed(std::size_t q, const mesh::Point& x, const Feature& closest) const;
     void add_feature(std::size_t q, const mesh::Point& x, const Feature& feature);
     void add_smooth(std::size_t q, const mesh::Point& x, const SmoothObstacle& obstacle);
     void note(std::size_t q, int obstacle, double share, const Barrier& b);

@@ -32,6 +32,26 @@ Element& element_of(std::vector<Element>& list, Key Element::*key, const Element
     return known != list.end() ? *known : list.emplace_back(made);
 }
 
+/// Gives facets that are connected by corners the same group.
+void find_groups(const ContactSurface& surface, std::vector<Feature>& facets) {
+    const auto share_a_corner = [&](const Feature& a, const Feature& b) {
+        const auto &ours = surface.entries()[a.facet].corners, &theirs = surface.entries()[b.facet].corners;
+        return std::ranges::find_first_of(ours, theirs) != ours.end();
+    };
+    for (std::size_t i = 0; i < facets.size(); ++i) facets[i].group = i;
+    for (std::size_t i = 0; i < facets.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            if (facets[i].group == facets[j].group || !share_a_corner(facets[i], facets[j])) continue;
+            const std::size_t from = facets[j].group, to = facets[i].group;
+            for (Feature& facet : facets)
+                if (facet.group == from) facet.group = to;
+        }
+}
+
+std::size_t group_of(const std::vector<Feature>& features, std::size_t facet) {
+    return std::ranges::find(features, facet, &Feature::facet)->group;
+}
+
 /// The normal of the edge or corner on which the closest point of a feature lies.
 Vector3 boundary_normal(const ContactSurface& surface, std::span<const Patch> patches, const Feature& feature,
                         std::span<const Edge> edges, std::span<const Corner> corners) {
@@ -77,6 +97,7 @@ std::vector<Feature> features_near(const ContactSurface& surface, std::span<cons
             edge.normal = along(edge.normal, 1, unit_normal(map, closest_on_edge(map, k, x).xi));
         }
     }
+    find_groups(surface, features);
     const auto closest = std::ranges::min_element(features, {}, [](const Feature& f) { return f.closest.distance_m; });
     if (closest != features.end()) closest->is_closest = true;
     // A facet whose closest point is on its boundary lies on the same side as that edge or corner.
@@ -87,14 +108,15 @@ std::vector<Feature> features_near(const ContactSurface& surface, std::span<cons
         for (Corner& corner : corners)
             if (std::ranges::find(edge.corners, corner.number) != edge.corners.end()) ++corner.edges;
         features.push_back({Feature::Kind::edge, edge.facet, edge.k, closest_on_edge(patches[edge.facet], edge.k, x),
-                            1.0 - edge.facets, edge.normal});
+                            1.0 - edge.facets, edge.normal, false, group_of(features, edge.facet)});
         auto& feature = features.back();
         if (feature.closest.free == 0) feature.normal = boundary_normal(surface, patches, feature, edges, corners);
     }
     for (const Corner& corner : corners)
         if (const double coefficient = 1 - corner.facets + corner.edges; coefficient != 0)
             features.push_back({Feature::Kind::corner, corner.facet, corner.k,
-                                at_corner(patches[corner.facet], corner.k, x), coefficient, corner.normal});
+                                at_corner(patches[corner.facet], corner.k, x), coefficient, corner.normal, false,
+                                group_of(features, corner.facet)});
     return features;
 }
 

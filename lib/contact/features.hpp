@@ -21,6 +21,7 @@ struct Feature {
     double coefficient = 1;
     Vector3 normal{};  ///< sum of the unit normals at the closest point: on which side of the surface the point lies
     bool is_closest = false;  ///< of all facets
+    std::size_t group = 0;    ///< features of facets that share corners, directly or through others, have the same
 };
 
 /// `facets`: entries of the surface.

@@ -93,8 +93,8 @@ double Potential::Parts::share_without_crossing(std::span<const Patch> from, std
                 if (closest.distance_m == 0) continue;
                 if (behind < 0) {
                     const ClosestPoint before = closest_point(other.undeformed, entry.X[q]);
-                    if (!has_passed(entry, q, other.undeformed, before, closest.distance_m,
-                                    is_facing(from[i], entry, q, n)))
+                    if (!has_passed_through(entry, q, other.undeformed, before, closest.distance_m,
+                                            is_facing(from[i], entry, q, n)))
                         continue;
                 }
                 const Vector3 relative = difference(difference(next, x), difference(to[j](closest.xi).x, y.x));

@@ -170,6 +170,27 @@ TEST_P(PotentialOf, EnergyDoesNotDependOnEarlierStates) {
     EXPECT_GT(touching, 3);
 }
 
+/// Points in front of the small end of a block lie behind the extended planes of its long sides, which must not act.
+TEST(Potential, ActsOnlyBetweenTheClosestFacetsOfABlock) {
+    const auto cells = test::Cells::second_order;
+    const auto left = test::block(2, test::box({0, 4}, {0, 1}), {1, 1, 1}, "left");
+    const auto right = test::block(2, test::box({6, 7}, {-1, 2}), {1, 3, 1}, "right");
+    const model::Case model =
+        with_settings(test::make_case(test::as(cells, test::beside(left, right)), model::Kinematics::plane_strain));
+    Potential potential(model, std::array{modulus_Pa});
+    const double wide = 2.5 * model.contact.distance, narrow = model.contact.distance, gap = 0.5 * narrow;
+    State state{model.mesh.points, {}};
+    for (Point& x : state.positions)
+        if (x[0] >= 6) x[0] -= 2 - gap;
+    const Summary at = derivatives(potential, state.positions, {}).summary;
+    const double k = 0.1 * modulus_Pa;
+    EXPECT_NEAR(at.max_pressure_Pa, -k * std::min(barrier(gap, wide).slope, barrier(gap, narrow).slope),
+                1e-9 * at.max_pressure_Pa);
+    // Half of each side; those points of the wide block count that are opposite the end or within the distance of its corners.
+    const double expected = 0.5 * k * (barrier(gap, wide).value_m + barrier(gap, narrow).value_m);
+    EXPECT_NEAR(at.energy_J, expected, 0.1 * expected);
+}
+
 INSTANTIATE_TEST_SUITE_P(AllCells, PotentialOf, testing::ValuesIn(test::all_cells));
 
 TEST(Barrier, HasTwoContinuousDerivativesAndRepels) {
