@@ -120,7 +120,7 @@ void PathFollower::step() {
     const bool may_jump = system_.has_fibers() && path_.attempts.failures < failures_before_kink;
     if (may_jump && breaks_energy_balance(corrector_, path_, *point)) return recover();
     const double taken = point->q - path_.last->q;
-    if (shorten_for_the_curve(system_, path_, aim, error.larger(), taken))
+    if (shorten_for_the_curve(system_, path_, aim, error.larger(), *point))
         return report_row("step of " + short_text(taken) + " is too long for the curve (predictor error " +
                           short_text(error.larger()) + "): repeated with a shorter step");
     path_.attempts = {};

@@ -118,10 +118,13 @@ bool is_refused(const fem::System& system, const PathState& path, const Predicto
     return error.state > predictor_error_limit && !kink;
 }
 
-bool shorten_for_the_curve(const fem::System& system, PathState& path, const Aim& aim, double missed, double taken) {
+bool shorten_for_the_curve(const fem::System& system, PathState& path, const Aim& aim, double missed,
+                           const PathPoint& point) {
+    const double taken = point.q - path.last->q;
     const model::SolverSettings& settings = system.input().solver;
     const bool squared = aim.straight && settings.predictor != model::Predictor::tangent;
-    if (settings.steps != model::StepRule::error_adaptive || (!squared && !path.last->touches)) return false;
+    if (settings.steps != model::StepRule::error_adaptive || (!squared && !path.last->touches && !point.touches))
+        return false;
     const double error = squared ? missed * missed : missed, order = squared ? 2.0 : 3.0;
     auto& rejected = path.attempts.rejected_curve_error;
     const bool kink = rejected && error > error_at_a_kink * *rejected;

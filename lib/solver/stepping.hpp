@@ -45,9 +45,10 @@ struct PredictorError {
 
 /// Shortens the step where the curve between its rows would be far from the path, though both rows are exact: the length of the first
 /// step comes from the loads, which may lie far beyond the end of the path. False where the step was short enough. Not applied where
-/// the error does not fall with the step, at a kink.
+/// the error does not fall with the step, at a kink. In contact, and where contact begins, steps are judged by the cubic too: its error does
+/// not tell how much of a step lies beyond the first contact.
 [[nodiscard]] bool shorten_for_the_curve(const fem::System& system, PathState& path, const Aim& aim, double error,
-                                         double taken);
+                                         const PathPoint& point);
 
 /// The first step comes from the requested load, which may exceed what the body can carry: it is cut as long as it still moves
 /// the body, by the root mean square of the unknowns.
