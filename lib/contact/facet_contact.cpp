@@ -40,8 +40,9 @@ bool is_behind(const Feature& feature, std::span<const Patch> patches, const Poi
 
 }  // namespace
 
-bool has_passed_through(const ContactSurface::Entry& entry, std::size_t q, const Patch& undeformed,
-                        const ClosestPoint& before, double distance_m, bool faces) {
+bool has_passed_through(const ContactSurface::Entry& entry, std::size_t q, const Patch& undeformed, double distance_m,
+                        bool faces) {
+    const ClosestPoint before = closest_point(undeformed, entry.X[q]);
     const auto at = undeformed(before.xi);
     const Vector3 n = cross(at.t1, at.t2), arm = difference(entry.X[q], at.x);
     const double height = dot(arm, n) / norm(n), off_m = off_the_plane * before.distance_m;
@@ -140,9 +141,8 @@ void FacetContact::add_features(std::size_t q, const Point& x) {
 bool FacetContact::has_passed(std::size_t q, const Point& x, const Feature& closest) const {
     if (!is_behind(closest, at_.patches, x)) return false;
     const auto& other = at_.surface.entries()[closest.facet];
-    return other.obstacle >= 0 ||
-           has_passed_through(entry_, q, other.undeformed, closest_point(other.undeformed, entry_.X[q]),
-                              closest.closest.distance_m, is_facing(map_, entry_, q, closest.normal));
+    return other.obstacle >= 0 || has_passed_through(entry_, q, other.undeformed, closest.closest.distance_m,
+                                                     is_facing(map_, entry_, q, closest.normal));
 }
 
 /// A point is behind a surface if it is behind the part of it that is closest. Then all parts behind which it lies act: the terms that have

@@ -12,10 +12,9 @@
 namespace soft::contact {
 
 /// Whether a sample point that is `distance_m` behind a facet has passed through it. In the undeformed state it was in front of it; or in its
-/// plane, and now faces it; or behind it, and now faces it and is closer than rubber between them can be. `before`: closest point of the
-/// undeformed facet.
+/// plane, and now faces it; or behind it, and now faces it and is closer than rubber between them can be.
 [[nodiscard]] bool has_passed_through(const ContactSurface::Entry& entry, std::size_t q, const Patch& undeformed,
-                                      const ClosestPoint& before, double distance_m, bool faces);
+                                      double distance_m, bool faces);
 
 /// An obstacle with a smooth surface, or a mirror plane (index -1).
 struct SmoothObstacle {
