@@ -14,7 +14,8 @@ namespace {
 /// `reach` of the shortest: points of second-order facets move by up to 5/3 of that, and pairs act from 0.2 facet sizes on. So every pair
 /// that acts is a candidate, whatever states came before.
 constexpr double growth = 0.4, reach = 0.06;
-/// Neighbouring facets act on each other where the angle between them falls below the sine of share_of_initial_gap.
+/// Neighbouring facets may act on each other where their normals are this close to facing each other. Unless rubber is compressed along the
+/// surface, they do so only at smaller angles, so that no force begins with a jump.
 constexpr double folding_angle = 1.0;
 /// Neighbouring facets whose normal cones are this far from facing each other do not fold within `reach`, which turns each normal by up to
 /// 0.45.

@@ -5,8 +5,8 @@
 /// facet's rubber without strain, and b the barrier (barrier.hpp) of the distance d_q to the other facets (features.hpp; w_q/2, because both
 /// sides count) or to an obstacle. The contact pressure is k |b'|; the gap left in contact is below the contact distance h.
 /// Facets are the curved facets of the mesh, and no term of the second derivatives is omitted.
-/// d_q is negative behind the facet, for points that have passed through it (has_passed_through in facet_contact.hpp): only Newton's iterates go
-/// there.
+/// d_q is negative behind the facet, for points that have passed through it (has_passed_through in facet_contact.hpp): only Newton's
+/// iterates go there.
 /// No force acts without strain: where obstacles, or facets that face each other, are closer than h in the undeformed state, at D, the
 /// barrier depends on d + h - D. The h of other pairs is at most a tenth of D, which separates points that are close along the material.
 /// A symmetry plane, and the axis r = 0, is an obstacle without friction: a body touches its mirror image at the plane.

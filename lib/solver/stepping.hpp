@@ -5,7 +5,7 @@
 
 namespace soft::solver {
 
-/// Consecutive failures before a path that may have kinks is assumed to be at a kink of its path.
+/// Consecutive failures before a path that may have kinks is assumed to be at one.
 inline constexpr int failures_before_kink = 3;
 /// Times the tolerance of equilibrium, relative to the state or load: a predictor error below the accuracy of the state itself
 /// gives no information about the step.

@@ -170,6 +170,8 @@ TEST_P(PotentialOf, EnergyDoesNotDependOnEarlierStates) {
     EXPECT_GT(touching, 3);
 }
 
+INSTANTIATE_TEST_SUITE_P(AllCells, PotentialOf, testing::ValuesIn(test::all_cells));
+
 /// Points in front of the small end of a block lie behind the extended planes of its long sides, which must not act.
 TEST(Potential, ActsOnlyBetweenTheClosestFacetsOfABlock) {
     const auto cells = test::Cells::second_order;
@@ -186,12 +188,10 @@ TEST(Potential, ActsOnlyBetweenTheClosestFacetsOfABlock) {
     const double k = 0.1 * modulus_Pa;
     EXPECT_NEAR(at.max_pressure_Pa, -k * std::min(barrier(gap, wide).slope, barrier(gap, narrow).slope),
                 1e-9 * at.max_pressure_Pa);
-    // Half of each side; those points of the wide block count that are opposite the end or within the distance of its corners.
+    // Half of each side: on the right, the points opposite the end.
     const double expected = 0.5 * k * (barrier(gap, wide).value_m + barrier(gap, narrow).value_m);
     EXPECT_NEAR(at.energy_J, expected, 0.1 * expected);
 }
-
-INSTANTIATE_TEST_SUITE_P(AllCells, PotentialOf, testing::ValuesIn(test::all_cells));
 
 TEST(Barrier, HasTwoContinuousDerivativesAndRepels) {
     constexpr double h = 0.3, step = 1e-6;
