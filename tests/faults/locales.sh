@@ -3,7 +3,6 @@
 # A locale with a decimal comma, and folders with spaces and non-ASCII letters, do not change the output of programs and scripts.
 #   locales.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
-LIMIT=300
 scripts=$(realpath "$here/../../scripts")
 printf '%s\n' 'Elongation (mm);Pressure (kPa)' '0,1;1,5' '0,3;3,5' >measured.csv
 cp "$here/../fit/data/treloar-uniaxial.csv" test.csv

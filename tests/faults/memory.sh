@@ -3,7 +3,6 @@
 # Out of memory: for a series of limits of address space each program either succeeds or reports `out of memory`. It never crashes,
 # hangs or reports another cause.   memory.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
-LIMIT=600
 runs 'mesh-gen -q designs/tube.yaml --set path.until.steps=2 -o section.h5 && solve -q section.h5 -o result.h5'
 runs 'mesh-gen -q designs/tube.yaml --set model=quarter --set mesh.size=5mm --set mesh.through_wall=2 --set path.until.steps=1 -o solid.h5'
 
@@ -14,7 +13,7 @@ runs 'mesh-gen -q designs/tube.yaml --set model=quarter --set mesh.size=5mm --se
 cat >limits.sh <<'L'
 ulimit -c 0
 step=$1; shift
-limited() { (ulimit -v "$kb"; exec timeout 30 "$@") >out 2>err; }
+limited() { (ulimit -v "$kb"; exec timeout 200 "$@") >out 2>err; }
 for ((kb = 20000; kb < 4000000; kb += step)); do limited "$1" --version && break; done
 for ((kb += 1000, succeeded = 0; kb < 4000000 && succeeded < 3; kb += step)); do
     limited "$1" --version || continue   # the start of a library may also fail above the minimum

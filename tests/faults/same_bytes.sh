@@ -2,7 +2,6 @@
 # shellcheck disable=SC2016  # the commands expand their own variables
 # The same case gives a byte-identical result file.   same_bytes.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
-LIMIT=300
 unset OMP_NUM_THREADS OPENBLAS_NUM_THREADS
 # An axisymmetric section past its limit point (CHOLMOD), a solid (MUMPS), and a motion in time.
 runs 'mesh-gen -q designs/tube.yaml --set path.until.steps=16 -o section.h5'

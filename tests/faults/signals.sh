@@ -3,7 +3,6 @@
 # Signals at random times: the exit code is 128 + signal, the converged rows are kept, nothing else is left. What --resume makes of
 # a file after kill -9 is in ../pipeline/resume.sh.   [SEED=n] signals.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
-LIMIT=300
 RANDOM=${SEED:-$(($(date +%s) % 32768))}
 echo "seed $RANDOM"
 set +m

@@ -2,7 +2,6 @@
 # shellcheck disable=SC2016  # the commands expand their own variables
 # Readers that close the pipe, and stages that fail or are killed.   broken_pipes.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
-LIMIT=60   # no command may hang
 codes() { [ "$(tail -n 1 "$seen/out")" = "$1" ]; }   # the last line of stdout
 runs 'mesh-gen -q designs/bellows.yaml -o bellows.h5; mesh-gen -q designs/tube.yaml -o tube.h5'
 runs 'solve -q tube.h5 -o result.h5 && postprocess -q result.h5 > whole.csv'

@@ -41,7 +41,6 @@ if [ -z "$(type -P parallel)" ]; then
 fi
 refuses 64 "campaign: unknown option '--sed'; *" "$campaign 3 --sed 4"
 refuses 64 "campaign: 'many' is not a number" "$campaign many"
-LIMIT=240
 runs "$campaign 20 --seed 7 --jobs 1 --folder first"
 claim "twenty rows" [ "$(wc -l <first/outcomes.csv)" -eq 21 ]
 claim "each stop reason is confirmed" [ "$(cut -d, -f 8 first/outcomes.csv | sed 1d | sort -u)" = 1 ]

@@ -27,7 +27,7 @@ trap finish EXIT
 
 run() {   # run COMMAND: runs a shell command without input; sets $status, writes its output to $seen/out and $seen/err
     line=$1
-    timeout --kill-after=5 "${LIMIT:-120}" bash -o pipefail -c "$1" >"$seen/out" 2>"$seen/err" </dev/null
+    timeout --kill-after=5 "${LIMIT:-600}" bash -o pipefail -c "$1" >"$seen/out" 2>"$seen/err" </dev/null
     status=$?
 }
 

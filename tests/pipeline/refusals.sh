@@ -40,7 +40,7 @@ refuses 64 "solve: --set geometry.wall: *built into the case *; give the same --
 refuses 65 "mesh-gen: --set geometry.cpa: unknown key; did you mean 'cap'[?]" 'mesh-gen --set geometry.cpa=5mm designs/tube.yaml'
 refuses 65 "solve: --set path.control: 'presure' is not a valid value; did you mean 'pressure'[?]" 'solve --set path.control=presure case.h5'
 if [ -n "$(type -P script)" ]; then   # a terminal as stdout or stdin
-    terminal() { line="on a terminal: $1"; timeout 20 script -qec "$1" /dev/null </dev/null 2>&1 | tr -d '\r' >"$seen/err"; status=${PIPESTATUS[0]}; }
+    terminal() { line="on a terminal: $1"; timeout 200 script -qec "$1" /dev/null </dev/null 2>&1 | tr -d '\r' >"$seen/err"; status=${PIPESTATUS[0]}; }
     for command in 'mesh-gen designs/tube.yaml' 'solve case.h5'; do
         terminal "$command"
         claim "binary data are rejected" exits 64

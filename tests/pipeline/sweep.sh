@@ -2,7 +2,6 @@
 # scripts/sweep on this machine: results, no repeated computation, kill -9, designs that fail, invalid files.
 #   sweep.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
-LIMIT=240
 sweep=$here/../../scripts/sweep
 folder=results/sweeps
 if [ -z "$(type -P parallel)" ]; then

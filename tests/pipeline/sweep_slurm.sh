@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # scripts/sweep --engine slurm with a slurmctld and slurmd started by this test.   sweep_slurm.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
-LIMIT=240
 sweep=$here/../../scripts/sweep
 PATH=$PATH:/usr/sbin
 for program in slurmctld slurmd sbatch squeue; do

@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # scripts/sweep --engine snakemake: the workflow is valid and gives the same rows as the other engines.   sweep_snakemake.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
-LIMIT=240
 sweep=$here/../../scripts/sweep
 if [ -z "$(type -P snakemake)" ]; then
     echo 'skipped: snakemake (package snakemake) is not installed'

@@ -2,7 +2,6 @@
 # scripts/workspace: grid of pressures, points, convex hull, interruption, and rejected input.
 #   workspace.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
-LIMIT=250
 workspace=$here/../../scripts/workspace
 coarse="--set 'mesh={size: 12 mm, through_wall: 1}' --set geometry.length=24mm --set geometry.jacket.fibers.k1=0.01MPa"
 mkdir "it's here"

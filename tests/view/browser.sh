@@ -24,4 +24,4 @@ npm ci --ignore-scripts --no-audit --no-fund --prefer-offline --fetch-retries=1 
 
 # Undeformed lengths: ten convolutions of 9.25 mm between two discs of 6 mm, and 100 mm for the tube; elongations at the end of the paths.
 mkdir -p bellows tube || exit 1
-timeout 130 node report.mjs report.html 104.5 130 bellows && timeout 130 node report.mjs tube.html 100 5 tube
+timeout 600 node report.mjs report.html 104.5 130 bellows && timeout 600 node report.mjs tube.html 100 5 tube
