@@ -19,6 +19,8 @@ public:
     /// The same at x, without blocks, under the levels last prescribed.
     [[nodiscard]] contact::Summary measure(Vec x);
 
+    /// True where nothing can ever touch.
+    [[nodiscard]] bool is_empty() const { return potential_.is_empty(); }
     /// Current position of a node of the free facets, at the state of the last evaluation.
     [[nodiscard]] const mesh::Point& position(mesh::Index node) const {
         return positions_[static_cast<std::size_t>(node)];

@@ -57,10 +57,17 @@ constexpr auto resting = in_optional<&Step::energies, member>;
 double* energy_tangent(Step& step) {
     return step.energies && step.energies->tangent_J ? &*step.energies->tangent_J : nullptr;
 }
+double* dissipated_energy(Step& step) {
+    return step.energies && step.energies->dissipated_J ? &*step.energies->dissipated_J : nullptr;
+}
 double* volume_tangent(Step& step) { return step.volume_m3 ? &step.tangent_volume : nullptr; }
 /// In a dynamic path, the columns of the same names are those of the motion.
 void create_energies(Step& step) {
     if (!step.motion) create<&Step::energies>(step);
+}
+void create_dissipated_energy(Step& step) {
+    create_energies(step);
+    if (step.energies) step.energies->dissipated_J.emplace();
 }
 void create_energy_tangent(Step& step) {
     create_energies(step);
@@ -90,6 +97,8 @@ constexpr Column<double> number_columns[]{
     {"stored_energy", "J", "strain energy of the whole actuator", resting<&Energies::stored_J>, create_energies},
     {"load_work", "J", "work of the loads since the start of the path", resting<&Energies::load_work_J>,
      create_energies},
+    {"dissipated_energy", "J", "set free by snaps in contact since the start of the path", dissipated_energy,
+     create_dissipated_energy},
     {"time", "s", "time since the undeformed state at rest", moving<&Motion::time_s>},
     {"kinetic_energy", "J", "kinetic energy of the whole actuator", moving<&Motion::kinetic_energy_J>},
     {"stored_energy", "J", "strain energy of the whole actuator", moving<&Motion::stored_energy_J>},

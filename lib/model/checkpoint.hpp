@@ -46,6 +46,7 @@ struct Checkpoint {
     std::optional<StatePoint> before;
     StatePoint last;
     double step = 0, first_step = 0;  ///< of q
+    double dissipated_J = 0;          ///< set free by snaps, for the modelled part of the actuator
     double work_before_stage_J = 0;   ///< work of the loads before the stage, for the modelled part of the actuator
     double first_slope = 0;           ///< norm of the path tangent per load factor at the start of the stage
     /// [row of the stage x 32]: sketches of states and tangents (solver/visited_states.hpp).

@@ -14,13 +14,14 @@ void EnergyBalance::add(const model::Step& row) {
     moves_ = row.motion.has_value();
     const Energies now = moves_ ? Energies{row.motion->load_work_J, row.motion->stored_energy_J,
                                            row.motion->kinetic_energy_J, row.motion->damping_work_J}
-                                : Energies{row.energies->load_work_J, row.energies->stored_J, 0.0, 0.0};
+                                : Energies{row.energies->load_work_J, row.energies->stored_J, 0.0,
+                                           row.energies->dissipated_J.value_or(0)};
     if (!first_) first_ = now;
     const Energies gain{now.work_J - first_->work_J, now.stored_J - first_->stored_J, now.kinetic_J - first_->kinetic_J,
-                        now.damping_J - first_->damping_J};
-    for (const double part : {gain.work_J, gain.stored_J, gain.kinetic_J, gain.damping_J})
+                        now.dissipated_J - first_->dissipated_J};
+    for (const double part : {gain.work_J, gain.stored_J, gain.kinetic_J, gain.dissipated_J})
         max_J_ = std::max(max_J_, std::abs(part));
-    const double gap_J = std::abs(gain.work_J - gain.stored_J - gain.kinetic_J - gain.damping_J);
+    const double gap_J = std::abs(gain.work_J - gain.stored_J - gain.kinetic_J - gain.dissipated_J);
     if (!(gap_J > gap_J_)) return;
     gap_J_ = gap_J;
     worst_ = gain;
@@ -40,10 +41,11 @@ std::string EnergyBalance::problem() const {
                              mJ(worst_.stored_J);
     const std::string off = ", a difference of " + core::rounded_text(100 * error, 2) + " % of the largest energy";
     if (moves_)
-        return what + ", " + mJ(worst_.kinetic_J) + " are kinetic and " + mJ(worst_.damping_J) +
+        return what + ", " + mJ(worst_.kinetic_J) + " are kinetic and " + mJ(worst_.dissipated_J) +
                " are dissipated by damping" + off +
                "; use a smaller dynamics.accuracy or dynamics.step, or a spectral_radius near 1 for less damping";
-    return what + off +
+    const std::string lost = worst_.dissipated_J > 0 ? ", " + mJ(worst_.dissipated_J) + " are set free by snaps" : "";
+    return what + lost + off +
            ": the rows do not lie on one equilibrium path; use a smaller solver.residual_tolerance or solver.step_accuracy, or another "
            "mesh.size";
 }

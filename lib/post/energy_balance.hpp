@@ -1,7 +1,7 @@
 #pragma once
 /// Energy balance of the rows of a path: work of the loads = stored + kinetic energy + dissipation by damping, all relative to the
 /// first row. The error is the difference in the worst row divided by the largest of the four energies in any row. A static path has
-/// only the first two terms. For a law without an energy function there is no balance. Tested by post/energy_balance_test,
+/// the first two terms and the energy that snaps set free. For a law without an energy function there is no balance. Tested by post/energy_balance_test,
 /// Pipeline.AnEarlyEndKeepsTheConvergedSteps and Pipeline.MotionInTimeKeepsItsEnergyBalanceAndItsRows.
 #include <optional>
 #include <string>
@@ -25,7 +25,7 @@ public:
 
 private:
     struct Energies {
-        double work_J = 0, stored_J = 0, kinetic_J = 0, damping_J = 0;
+        double work_J = 0, stored_J = 0, kinetic_J = 0, dissipated_J = 0;
     };
     std::optional<Energies> first_;
     Energies worst_;

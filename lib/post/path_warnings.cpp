@@ -117,6 +117,15 @@ void check_crushed(const model::Case& solved, const PathSummary& path, Warnings&
         "error bars (--tolerance)");
 }
 
+void check_snaps(const PathSummary& path, Warnings& warnings) {
+    constexpr double noticeable = 0.01;
+    const auto& energies = path.last.energies;
+    if (!energies || !(energies->dissipated_J.value_or(0) > noticeable * std::abs(energies->load_work_J))) return;
+    warnings.push_back("where edges slip or creases close, contact snaps and sets energy free, " +
+                       core::rounded_text(100 * *energies->dissipated_J / std::abs(energies->load_work_J), 2) +
+                       " % of the work of the loads (dissipated_energy): compare another mesh.size");
+}
+
 /// Warns if the first load prescribes a pressure beyond its limit point; for a negative pressure the limit point is a minimum.
 void check_maximum(const model::Case& solved, const PathSummary& path, Warnings& warnings) {
     const model::Stage& stage = solved.path.stages.at(static_cast<std::size_t>(path.last.stage));
@@ -151,6 +160,7 @@ std::vector<std::string> path_warnings(const model::Case& solved, const PathSumm
         }
     if (end == model::StopReason::done) check_goals(solved, reached, warnings);
     check_crushed(solved, reached, warnings);
+    check_snaps(reached, warnings);
     if (end != model::StopReason::done && end != model::StopReason::limit_point)
         check_maximum(solved, reached, warnings);
     return warnings;

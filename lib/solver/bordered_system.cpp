@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "fem/element_levels.hpp"
+#include "fem/mass.hpp"
 #include "model/cavity_surface.hpp"
 
 namespace soft::solver {
@@ -66,8 +67,40 @@ fem::Evaluation BorderedSystem::evaluate_at(const State& state, Assemble what) {
         evaluation = system.evaluate(state.x, levels, R, matrix, forces);
     }
     assembled_at_.reset();
-    if (matrix == K && evaluation.admissible()) assembled_at_ = copy_of(state);
+    if (drag_ > 0.0)
+        add_drag(state, matrix);
+    else if (matrix == K && evaluation.admissible())
+        assembled_at_ = copy_of(state);
     return evaluation;
+}
+
+void BorderedSystem::set_drag(double factor, Vec origin) {
+    drag_ = factor;
+    if (drag_ == 0.0) return;
+    drag_origin_ = copy_of(origin);
+    if (drag_weights_ != nullptr) return;
+    drag_weights_ = fem::displacement_mask(system);
+    const linalg::Vector undeformed = system.make_vector(), diagonal = system.make_vector();
+    static_cast<void>(system.evaluate(undeformed, fem::no_loads(system.input()), R, K));
+    SOFT_PETSC(MatGetDiagonal(K, diagonal));
+    const double unknowns = linalg::dot(drag_weights_, drag_weights_);
+    SOFT_PETSC(VecScale(drag_weights_, linalg::dot(diagonal, drag_weights_) / unknowns));
+    assembled_at_.reset();
+}
+
+void BorderedSystem::add_drag(const State& state, Mat matrix) {
+    const linalg::Vector force = copy_of(state.x);
+    linalg::add(force, -1.0, drag_origin_);
+    SOFT_PETSC(VecPointwiseMult(force, force, drag_weights_));
+    linalg::add(R, drag_, force);
+    if (matrix == nullptr) return;
+    for (PetscInt i = system.dofs().begin; i < system.dofs().end; ++i) {
+        double weight = 0;
+        SOFT_PETSC(VecGetValues(drag_weights_, 1, &i, &weight));
+        if (weight > 0.0) SOFT_PETSC(MatSetValue(matrix, i, i, drag_ * weight, ADD_VALUES));
+    }
+    SOFT_PETSC(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
+    SOFT_PETSC(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
 }
 
 /// The linear solver and others keep the handle of K.

@@ -51,6 +51,10 @@ public:
     /// Gives K the pattern of the contact at a state of the path: what follows does not depend on the states tried before it.
     void couple_contact(const State& state);
 
+    /// Adds the force factor k (u - u_origin) on the displacements to R, and its derivative to K, in all later evaluations; k is the mean
+    /// diagonal entry of the undeformed K. 0 removes it.
+    void set_drag(double factor, Vec origin = nullptr);
+
     /// Updates K, or the operator in its place, to the state last evaluated, without a factor.
     void differentiate(const State& state);
     /// A new factor of K; the reason where there is none.
@@ -86,7 +90,10 @@ public:
 private:
     [[nodiscard]] Mat matrix_for(Assemble what);
     void rebuild_pattern();
+    void add_drag(const State& state, Mat matrix);
 
+    double drag_ = 0;
+    linalg::Vector drag_weights_, drag_origin_;  // 0 at pressure unknowns
     const StageLoads* loads_ = nullptr;
     bool loads_move_ = false;
     linalg::Matrix spare_;  // for columns that need a tangent while K is kept

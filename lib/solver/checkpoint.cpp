@@ -89,6 +89,7 @@ void Recorder::keep_checkpoint(const PathState& path) const {
     checkpoint.last = stored_point(*path.last);
     checkpoint.step = path.step;
     checkpoint.first_step = path.first_step;
+    checkpoint.dissipated_J = path.dissipated_J;
     checkpoint.work_before_stage_J = path.work_before_J;
     checkpoint.first_slope = path.first_slope;
     for (const VisitedState& state : path.visited)
@@ -113,6 +114,7 @@ void restore(const model::Checkpoint& from, Corrector& corrector, PathState& pat
     corrector.newton().confirm_pivots(from.confirmed_pivots);
     path.step = from.step;
     path.first_step = from.first_step;
+    path.dissipated_J = from.dissipated_J;
     path.work_before_J = from.work_before_stage_J;
     path.first_slope = from.first_slope;
     for (auto next = from.visited.begin(); next != from.visited.end(); next += 2 * sketch_size) {

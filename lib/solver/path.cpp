@@ -13,6 +13,7 @@
 #include "solver/path_end.hpp"
 #include "solver/path_follower.hpp"
 #include "solver/path_text.hpp"
+#include "solver/snap.hpp"
 #include "solver/stages.hpp"
 #include "solver/stepping.hpp"
 #include "solver/work.hpp"
@@ -234,14 +235,18 @@ void PathFollower::recover() {
     const bool too_short = share < 1.0;
     const bool may_be_kink = may_have_kinks(system_, *path_.last) && attempt.end != NewtonEnd::not_finite &&
                              (failures >= failures_before_kink || too_short);
+    const bool may_snap = may_be_kink && path_.last->touches && (failures == failures_before_kink || too_short);
+    const double first_attempt = failed / std::pow(cut_of_failed_step, failures - 1);
+    if (auto found = may_snap ? snap(corrector_, path_, first_attempt) : std::nullopt) {
+        report_row("contact snaps to " + describe(found->point) + ", energy set free " +
+                   short_text(found->point.lost_J) + " J");
+        go_on_from(std::move(found->point));
+        if (found->goal != nullptr) end_stage(found->goal->text);
+        return;
+    }
     if (auto point = may_be_kink ? pass_kink(corrector_, path_, failed) : std::nullopt) {
         report_row("passed a kink to " + describe(*point));
-        if (path_.step < 0.0) rescale(system_, *path_.loads, *path_.last, -1.0);
-        path_.step = point->q - path_.last->q;
-        path_.attempts = {};
-        commit(std::move(*point));
-        path_.before.reset();  // no cubic through a kink
-        return;
+        return go_on_from(std::move(*point));
     }
     if (const auto change = control_after_failure(system_, path_, too_short)) return change_control(*change);
     if (failures > 1) path_.before.reset();  // the cubic extrapolates badly: return to the tangent
@@ -254,6 +259,15 @@ void PathFollower::recover() {
                                              ", and the contact is not resolved; use smaller cells there (mesh.size)"});
     listeners_.report("no step converges: use smaller cells (mesh.size)");
     finish(stop_without_step(path_, input_, attempt));
+}
+
+void PathFollower::go_on_from(PathPoint point) {
+    if (path_.control.kind == ConstraintKind::arc && path_.step < 0.0)
+        rescale(system_, *path_.loads, *path_.last, -1.0);
+    path_.step = point.q - path_.last->q;
+    path_.attempts = {};
+    commit(std::move(point));
+    path_.before.reset();
 }
 
 void PathFollower::begin(State state) {

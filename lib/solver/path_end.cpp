@@ -22,6 +22,8 @@ constexpr double far_beyond = 10.0, min_power = 0.5, reachable = 0.5, growth_for
 /// det F below which a cell counts as nearly inverted.
 constexpr double nearly_inverted = 0.05;
 
+constexpr const char* end_earlier = "; set path.until to end the path earlier, or request a smaller load";
+
 bool is_past_limit_point(const PathState& path) {
     const auto& found = path.end.limit_points;
     return !found.empty() && found.back().step >= path.first_row && path.load_falls(*path.last);
@@ -79,8 +81,6 @@ Error start_error(NewtonEnd end, const std::string& problem) {
     return Error(ExitCode::bad_input, "materials", problem, "check the moduli of the materials");
 }
 
-constexpr const char* end_earlier = "; set path.until to end the path earlier, or request a smaller load";
-
 std::optional<Stop> stop_before_step(const PathState& path, const model::Case& input) {
     const int limit = input.solver.step_limit;
     if (path.rows > limit)
@@ -124,6 +124,9 @@ Stop stop_without_step(const PathState& path, const model::Case& input, const Ne
         return {StopReason::inverted_element,
                 "an element is nearly inverted (" + det + ") " + location + " at " + here + remedy};
     const std::string problem = "no equilibrium found beyond " + here;
+    if (is_past_limit_point(path))
+        return {StopReason::limit_point,
+                "the requested load is not reached: the path is past the limit point, and " + problem + end_earlier};
     if (attempt.end == NewtonEnd::linear_solver) return {StopReason::diverged, problem + ": " + linear_remedy};
     return {StopReason::diverged, problem + " (" + std::string(text_of(attempt.end)) + "); the largest distortion is " +
                                       location + ", " + det + "; try smaller cells there (mesh.size)"};

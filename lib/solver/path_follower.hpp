@@ -2,7 +2,8 @@
 /// The loop behind follow_path (path.hpp), internal to the module. The parts that it calls pass a PathState (path_state.hpp) along:
 ///   stages.hpp         loads, goals and first step of each stage
 ///   stepping.hpp       aim of a step, check of the state found there, size of the next step
-///   corrector.hpp      Newton's method and the path's tangent; kink.hpp where fibres become taut or slack
+///   corrector.hpp      Newton's method and the path's tangent; kink.hpp where fibres become taut or slack,
+///                      snap.hpp where contact snaps
 ///   events.hpp         contact, limit points, bifurcations between two states
 ///   control.hpp        the controlled quantity and its change
 ///   recorder.hpp       rows (with work.hpp: the work of the loads), checkpoints
@@ -31,6 +32,8 @@ private:
     [[nodiscard]] bool pass_events(Events events);
     [[nodiscard]] bool take_branch(Event& bifurcation);
     void recover();
+    /// Continues beyond a kink or a snap from `point`, which has no cubic with the rows before.
+    void go_on_from(PathPoint point);
     void begin(State state);
     void end_stage(const std::string& text);
     void change_control(const ControlChange& change);

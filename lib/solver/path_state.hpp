@@ -43,7 +43,8 @@ struct PathState {
 
     // The path.
     int rows = 0;
-    double stretch_p99 = 1;  ///< of the last row
+    double dissipated_J = 0;  ///< set free by snaps, of the modelled part
+    double stretch_p99 = 1;   ///< of the last row
     bool on_branch = false;
     bool finished = false;
     model::PathEnd end;

@@ -38,10 +38,11 @@ Recorder::Recorder(Corrector& corrector, const Listeners& listeners) : corrector
 
 void Recorder::append(PathState& path, PathPoint& point) {
     fem::System& system = corrector_.system();
-    if (&point != &*path.last)
-        point.load_work_J =
-            path.last->load_work_J +
-            (point.step_work_J ? *point.step_work_J : work_of_step(corrector_, path, *path.last, point));
+    if (&point != &*path.last) {
+        if (!point.step_work_J) find_work_of_step(corrector_, path, point);
+        point.load_work_J = path.last->load_work_J + *point.step_work_J;
+        path.dissipated_J += point.lost_J;
+    }
     const double direction = path.direction();  // tangents point in the direction of travel
     const WorkCount work = corrector_.work();
     model::Step step = step_of(system, point, direction);
@@ -51,6 +52,8 @@ void Recorder::append(PathState& path, PathPoint& point) {
     step.stable = is_stable(path, point);
     step.stable_under_control = is_stable_under_control(path, point);
     read_rubber(system, point, direction, step);
+    if (step.energies && !system.contact().is_empty())
+        step.energies->dissipated_J = path.dissipated_J / system.input().model_fraction;
     if (frequencies_) step.frequencies_Hz = frequencies_->evaluate(point.state.x, point.levels);
     path.stretch_p99 = step.stretch_p99;
     path.visited.push_back(visited_state(point, direction));

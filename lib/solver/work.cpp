@@ -55,23 +55,26 @@ double refined_work(Corrector& corrector, const Frame& frame, const WorkInterval
 
 }  // namespace
 
-double work_of_step(Corrector& corrector, const PathState& path, PathPoint& from, PathPoint& to) {
+void find_work_of_step(Corrector& corrector, PathState& path, PathPoint& to) {
     fem::System& system = corrector.system();
+    PathPoint& from = *path.last;
     const WorkInterval whole(system, from, to);
-    if (!system.has_symmetric_tangent()) return whole.work_J;
+    to.step_work_J = whole.work_J;
+    if (!system.has_symmetric_tangent()) return;
     const double size_J = std::max(std::abs(whole.gain_J), flat_energy * std::abs(*to.stored_J));
     const Corrector::Memory memory = corrector.memory();
     const double wanted_J = corrector.input().solver.step_accuracy * size_J;
-    const double work_J = refined_work(corrector, frame_of(path), whole, wanted_J, work_halvings);
+    to.step_work_J = refined_work(corrector, frame_of(path), whole, wanted_J, work_halvings);
     corrector.restore(memory);
-    return work_J;
+    const double left_J = *to.step_work_J - whole.gain_J;
+    if (from.touches && to.touches && left_J > wanted_J) to.lost_J = left_J;
 }
 
 bool breaks_energy_balance(Corrector& corrector, PathState& path, PathPoint& to) {
     fem::System& system = corrector.system();
     const double mean_m = linalg::norm(to.state.x) / std::sqrt(static_cast<double>(system.dofs().total));
     if (!system.has_symmetric_tangent() || mean_m < rounding_strain * mesh::extent_m(system.input().mesh)) return false;
-    to.step_work_J = work_of_step(corrector, path, *path.last, to);
+    find_work_of_step(corrector, path, to);
     const double from_J = *path.last->stored_J, to_J = *to.stored_J;
     return std::abs(*to.step_work_J - (to_J - from_J)) > energy_jump * std::max(from_J, to_J);
 }

@@ -5,9 +5,11 @@
 
 namespace soft::solver {
 
-/// Work of the loads between two points [J]. To the accuracy of the path (step_accuracy) where the law has an energy, through as many
-/// intermediate states as necessary. Leaves the memory of the corrector unchanged.
-[[nodiscard]] double work_of_step(Corrector& corrector, const PathState& path, PathPoint& from, PathPoint& to);
+/// Fills the work of the loads from the last row to a point, and the energy that it sets free. The work is computed to the accuracy of the
+/// path (step_accuracy) where the law has an energy, through as many intermediate states as necessary. A step in contact that has jumped
+/// over a snap leaves more work than the body stores, however many states are computed: this energy is set free. Leaves the memory of the
+/// corrector unchanged.
+void find_work_of_step(Corrector& corrector, PathState& path, PathPoint& to);
 
 /// True if the loads have done other work than the rubber has stored: `to` lies on another equilibrium path than the last row.
 [[nodiscard]] bool breaks_energy_balance(Corrector& corrector, PathState& path, PathPoint& to);

@@ -1,0 +1,22 @@
+#pragma once
+/// Snaps in contact. Where an edge slides off another, or a crease closes, a small part of the body loses its stability although the rest
+/// hardly moves: the path turns back in a sharp fold, along which Newton's method may not converge. Under a load, or at a volume, the body
+/// jumps to a stable state nearby. Pseudo-transient continuation finds it: the states x_n of the overdamped motion, by the implicit Euler
+/// method,
+///   R(x_n) + c_n k (u_n - u_(n-1)) = 0,
+/// from the last row on, at the target of the failed step, with a drag c_n that falls until it vanishes.
+/// Source: Coffey, Kelley and Keyes, SIAM J. Sci. Comput. 25 (2003) 553. Internal to the module. Tested by pipeline
+/// ContactThatSnapsKeepsItsEnergyBalance.
+#include "solver/corrector.hpp"
+
+namespace soft::solver {
+
+/// The stable state after the snap, with the energy set free; nullopt where the last row is not stable, or no stable state is found
+/// nearby; the memory of the corrector is then unchanged. `step`: the first one that failed. A goal on the way is the target instead.
+struct Snap {
+    PathPoint point;
+    const Goal* goal = nullptr;  ///< reached
+};
+[[nodiscard]] std::optional<Snap> snap(Corrector& corrector, const PathState& path, double step);
+
+}  // namespace soft::solver
