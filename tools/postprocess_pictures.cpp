@@ -157,20 +157,31 @@ public:
           style_(style_of(options, shown.result.model)),
           region_points_(post::make_region_points(shown.result.model.mesh)),
           skin_(view::make_skin(shown.result.model, region_points_, skin_options(options))),
-          body_{skin_, view::base_positions(skin_, shown.result.model, region_points_, {})} {}
+          body_{skin_, view::base_positions(skin_, shown.result.model, region_points_, {}), &shown.result.model,
+                skin_options(options).extent} {}
 
     [[nodiscard]] std::size_t polygons() const { return skin_.faces.size(); }
 
-    [[nodiscard]] view::Shot shot(const io::FieldReader::Values& values, std::span<const std::string> words) const {
+    [[nodiscard]] view::Shot shot(const io::FieldReader::Values& values, std::span<const std::string> words,
+                                  std::vector<Vector3> shifts) const {
         const model::Case& model = shown_.result.model;
         const post::NodalState state{values.displacement_m, values.pressure_Pa};
         const auto nodal = post::nodal_values(style_.quantity, model, region_points_, state,
                                               post::step_fields(model, region_points_, state));
         return {view::base_positions(skin_, model, region_points_, values.displacement_m),
-                view::base_values(skin_, nodal), title_of(shown_, words)};
+                view::base_values(skin_, nodal), title_of(shown_, words), std::move(shifts)};
     }
     [[nodiscard]] view::Shot shot(std::int64_t row) const {
-        return shot(stored_fields(shown_.result, row), state_words(shown_.curve, static_cast<std::size_t>(row)));
+        return shot(stored_fields(shown_.result, row), state_words(shown_.curve, static_cast<std::size_t>(row)),
+                    shifts(row));
+    }
+    [[nodiscard]] std::vector<Vector3> shifts(std::int64_t row) const {
+        const auto& steps = shown_.result.steps;
+        const model::Step& step = steps.at(static_cast<std::size_t>(row));
+        std::vector<double> reached(static_cast<std::size_t>(step.stage), 0.0);
+        for (const model::Step& before : steps)
+            if (before.stage < step.stage) reached[static_cast<std::size_t>(before.stage)] = before.load_factor;
+        return view::obstacle_shifts(shown_.result.model, step.stage, step.load_factor, reached);
     }
 
     /// Displacements and pressures are interpolated linearly in the path parameter between two stored steps.
@@ -188,6 +199,7 @@ public:
             if (after == stored.end()) --after;
             const auto before = after == stored.begin() ? after : std::prev(after);
             io::FieldReader::Values values = stored_fields(shown_.result, after->second);
+            std::vector<Vector3> moved = shifts(after->second);
             if (after->first > s && before != after) {
                 const auto start = stored_fields(shown_.result, before->second);
                 const double share = (s - before->first) / (after->first - before->first);
@@ -196,8 +208,11 @@ public:
                 };
                 blend(values.displacement_m, start.displacement_m);
                 blend(values.pressure_Pa, start.pressure_Pa);
+                const auto from = shifts(before->second);
+                for (std::size_t k = 0; k < moved.size(); ++k)
+                    moved[k] = along(from[k], share, difference(moved[k], from[k]));
             }
-            shots.push_back(shot(values, state_words(shown_.curve, path.at(s), false)));
+            shots.push_back(shot(values, state_words(shown_.curve, path.at(s), false), std::move(moved)));
         }
         return shots;
     }

@@ -22,14 +22,21 @@ Vector3 project(const Screen& screen, const Point& x) {
     return {dot(screen.right, x), dot(screen.up, x), dot(screen.eye, x)};
 }
 
+/// Obstacles are drawn this far around the body, over its diagonal.
+constexpr double space_around = 0.08;
+
 struct Box2 {
     std::array<double, 2> low{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
     std::array<double, 2> high{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest()};
 };
 
-void enclose(Box2& box, const Skin& skin, const Screen& screen, std::span<const Point> bases) {
+void enclose(Box2& box, Window& space, const Skin& skin, const Screen& screen, std::span<const Point> bases) {
     for (const Point& x : vertex_positions(skin, bases)) {
         const Vector3 at = project(screen, x);
+        for (std::size_t i = 0; i < 3; ++i) {
+            space.low[i] = std::min(space.low[i], x[i]);
+            space.high[i] = std::max(space.high[i], x[i]);
+        }
         for (std::size_t i = 0; i < 2; ++i) {
             box.low[i] = std::min(box.low[i], at[i]);
             box.high[i] = std::max(box.high[i], at[i]);
@@ -112,6 +119,16 @@ void draw_outline(Raster& raster, const Body& body, const Framing& frame) {
     raster.lines(edges, stroke, &itself);
 }
 
+void draw_obstacles(Raster& raster, const Body& body, const Framing& frame, const Shot& shot) {
+    if (body.model == nullptr || body.model->obstacles.empty()) return;
+    std::vector<Segment> lines;
+    for (const Line& line : obstacle_lines(*body.model, shot.shifts, frame.space, body.extent)) {
+        const auto at = in_raster(frame, line);
+        lines.push_back({at[0], at[1]});
+    }
+    raster.lines(lines, {.colour = {0.1, 0.3, 0.65}, .width = 1.2 * oversampling, .in_front = 0.7, .behind = 0.15});
+}
+
 std::string number(double value) { return core::rounded_text(value, 8); }
 
 std::string palette_text() {
@@ -126,10 +143,18 @@ std::string palette_text() {
 }  // namespace
 
 Framing framing(const Body& body, const PictureStyle& style, std::span<const Shot> shots) {
-    Framing frame{.screen = screen_of(style.camera), .range = range_of(style, shots)};
+    constexpr double highest = std::numeric_limits<double>::max();
+    Framing frame{.screen = screen_of(style.camera),
+                  .space = {{highest, highest, highest}, {-highest, -highest, -highest}},
+                  .range = range_of(style, shots)};
     Box2 box;
-    enclose(box, body.skin, frame.screen, body.undeformed_bases_m);
-    for (const Shot& shot : shots) enclose(box, body.skin, frame.screen, shot.bases_m);
+    enclose(box, frame.space, body.skin, frame.screen, body.undeformed_bases_m);
+    for (const Shot& shot : shots) enclose(box, frame.space, body.skin, frame.screen, shot.bases_m);
+    const double margin = space_around * norm(difference(frame.space.high, frame.space.low));
+    for (std::size_t i = 0; i < 3; ++i) {
+        frame.space.low[i] -= margin;
+        frame.space.high[i] += margin;
+    }
     std::array<double, 2> size{};
     for (std::size_t i = 0; i < 2; ++i) {
         frame.centre_m[i] = 0.5 * (box.low[i] + box.high[i]);
@@ -155,6 +180,7 @@ Raster paint(const Body& body, const Framing& frame, const Shot& shot) {
                                                    .behind = 0,
                                                    .bias = 1.5 * oversampling});
     draw_outline(raster, body, frame);
+    draw_obstacles(raster, body, frame, shot);
     return raster;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Picture of the deformed body coloured by a field, as PNG: surface with shading, the undeformed outline, title, scale bar and colour
-/// bar. Body and outline are rendered here (view/raster.hpp), text and bars by the program gnuplot, which needs no display.
+/// Picture of the deformed body coloured by a field, as PNG: surface with shading, the undeformed outline, lines of the obstacles, title,
+/// scale bar and colour bar. Body and outline are rendered here (view/raster.hpp), text and bars by the program gnuplot, which needs no display.
 /// Tested by view/picture_test.
 #include <filesystem>
 #include <optional>
@@ -12,6 +12,7 @@
 #include "core/files.hpp"
 #include "post/quantity.hpp"
 #include "view/camera.hpp"
+#include "view/obstacle_lines.hpp"
 #include "view/raster.hpp"
 #include "view/skin.hpp"
 
@@ -31,20 +32,24 @@ struct PictureStyle {
 
 /// One state of the body.
 struct Shot {
-    std::vector<Point> bases_m;  ///< view/skin.hpp
-    std::vector<double> values;  ///< SI, one per base
-    std::string title;           ///< one line
+    std::vector<Point> bases_m;        ///< view/skin.hpp
+    std::vector<double> values;        ///< SI, one per base
+    std::string title;                 ///< one line
+    std::vector<Vector3> shifts = {};  ///< displacement of each obstacle
 };
 
-/// A skin with its undeformed bases, drawn in one or more states.
+/// A skin with its undeformed bases, drawn in one or more states, and the obstacles around it.
 struct Body {
     const Skin& skin;
     std::vector<Point> undeformed_bases_m;
+    const model::Case* model = nullptr;  ///< with obstacles, otherwise null
+    Extent extent = Extent::modelled;
 };
 
-/// Common to all pictures of a series: the window of the projection and the colour range.
+/// Common to all pictures of a series: the window of the projection, the space in which obstacles are drawn, and the colour range.
 struct Framing {
     Screen screen;
+    Window space;
     int width_px = 0, height_px = 0;  ///< even
     double m_per_px = 1;
     std::array<double, 2> centre_m{};  ///< centre of the drawn body and its outline, to the right and up
