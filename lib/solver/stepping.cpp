@@ -106,8 +106,11 @@ bool is_refused(const fem::System& system, const PathState& path, const Predicto
     if (path.control.kind == ConstraintKind::load_factor && error.state > predictor_error_without_jump && modes &&
         modes_before && *modes != *modes_before)
         return true;
-    if (may_have_kinks(system, *path.last) && path.control.kind != ConstraintKind::load_factor &&
-        path.attempts.failures < failures_before_kink) {
+    const ConstraintKind kind = path.control.kind;
+    const bool may_leave_branch = kind == ConstraintKind::arc
+                                      ? may_have_kinks(system, *path.last)
+                                      : kind != ConstraintKind::load_factor && path.last->touches;
+    if (may_leave_branch && path.attempts.failures < failures_before_kink) {
         const auto before = branch_index(path, *path.last), here = branch_index(path, point);
         if (before && here && (*before - *here) % 2 != 0) return true;
     }
