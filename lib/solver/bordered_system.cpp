@@ -74,8 +74,8 @@ fem::Evaluation BorderedSystem::evaluate_at(const State& state, Assemble what) {
     return evaluation;
 }
 
-void BorderedSystem::set_drag(double factor, Vec origin) {
-    drag_ = factor;
+void BorderedSystem::set_drag(double drag, Vec origin) {
+    drag_ = drag;
     if (drag_ == 0.0) return;
     drag_origin_ = copy_of(origin);
     if (drag_weights_ != nullptr) return;

@@ -51,9 +51,9 @@ public:
     /// Gives K the pattern of the contact at a state of the path: what follows does not depend on the states tried before it.
     void couple_contact(const State& state);
 
-    /// Adds the force factor k (u - u_origin) on the displacements to R, and its derivative to K, in all later evaluations; k is the mean
+    /// Adds the force drag k (u - u_origin) on the displacements to R, and its derivative to K, in all later evaluations; k is the mean
     /// diagonal entry of the undeformed K. 0 removes it.
-    void set_drag(double factor, Vec origin = nullptr);
+    void set_drag(double drag, Vec origin);
 
     /// Updates K, or the operator in its place, to the state last evaluated, without a factor.
     void differentiate(const State& state);

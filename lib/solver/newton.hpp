@@ -86,7 +86,7 @@ public:
         return bordered_.share_without_crossing(from, to);
     }
     void couple_contact(const State& state) { bordered_.couple_contact(state); }
-    void set_drag(double factor, Vec origin) { bordered_.set_drag(factor, origin); }
+    void set_drag(double drag, Vec origin) { bordered_.set_drag(drag, origin); }
 
     [[nodiscard]] int factorizations() const noexcept { return bordered_.linear.factorizations(); }
     [[nodiscard]] long linear_iterations() const noexcept { return bordered_.linear.iterations(); }
