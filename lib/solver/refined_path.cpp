@@ -117,6 +117,8 @@ std::optional<RowState> RefinedPath::solve(const RowState& coarse, RowPosition p
     row.step.newton_iterations = work().iterations - before.iterations;
     row.step.factorizations = work().factorizations - before.factorizations;
     read_rubber(system_, point, 1.0, row.step);
+    if (row.step.energies && coarse.step.energies)  // snaps are found on the first mesh alone
+        row.step.energies->dissipated_J = coarse.step.energies->dissipated_J;
     if (frequencies_ && keep == Keep::fields)  // a mesh that is only compared reports no rows
         row.step.frequencies_Hz = frequencies_->evaluate(point.state.x, point.levels);
     if (keep == Keep::fields) row = row_state(system_, point, 1.0, std::move(row.step));
