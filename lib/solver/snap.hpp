@@ -11,12 +11,13 @@
 
 namespace soft::solver {
 
-/// The stable state after the snap, with the energy set free; nullopt where the last row is not stable, or no stable state is found
-/// nearby; the memory of the corrector is then unchanged. `step`: the first one that failed. A goal on the way is the target instead.
 struct Snap {
     PathPoint point;
     const Goal* goal = nullptr;  ///< reached
 };
+
+/// The stable state after the snap, with the energy set free; nullopt where the last row is not stable, or no stable state is found
+/// nearby; the memory of the corrector is then unchanged. `step`: the first one that failed. A goal on the way is the target instead.
 [[nodiscard]] std::optional<Snap> snap(Corrector& corrector, const PathState& path, double step);
 
 }  // namespace soft::solver
