@@ -237,16 +237,13 @@ void PathFollower::recover() {
                              (failures >= failures_before_kink || too_short);
     const bool may_snap = may_be_kink && path_.last->touches && (failures == failures_before_kink || too_short);
     const double first_attempt = failed / std::pow(cut_of_failed_step, failures - 1);
-    const Corrector::Memory memory = corrector_.memory();
-    auto found = may_snap ? snap(corrector_, path_, first_attempt) : std::nullopt;
-    if (found && !find_crossing(corrector_, listeners_, found->point)) {
+    if (auto found = may_snap ? snap(corrector_, path_, listeners_, first_attempt) : std::nullopt) {
         report_row("contact snaps to " + describe(found->point) + ", energy set free " +
                    short_text(found->point.lost_J) + " J");
         go_on_from(std::move(found->point));
         if (found->goal != nullptr) end_stage(found->goal->text);
         return;
     }
-    corrector_.restore(memory);
     if (auto point = may_be_kink ? pass_kink(corrector_, path_, failed) : std::nullopt) {
         report_row("passed a kink to " + describe(*point));
         return go_on_from(std::move(*point));

@@ -1,10 +1,9 @@
 #include "solver/snap.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "solver/control.hpp"
-#include "solver/row_state.hpp"
+#include "solver/work.hpp"
 
 namespace soft::solver {
 
@@ -49,24 +48,6 @@ std::optional<State> settle(Corrector& corrector, const PathState& path, const C
     return std::nullopt;
 }
 
-/// Work of the loads less the gain of stored energy.
-double lost_energy(fem::System& system, const PathPoint& from, const PathPoint& to, double work_J) {
-    const auto stored = [&](const PathPoint& point) {
-        system.prescribe(point.levels);
-        return system.fields().stored_energy(point.state.x);
-    };
-    return std::max(work_J - (stored(to) - stored(from)), 0.0);
-}
-
-/// By the mean of the loads at both ends.
-double work_of_jump(fem::System& system, const PathPoint& from, const PathPoint& to) {
-    const linalg::Vector motion = copy_of(to.state.x);
-    linalg::add(motion, -1.0, from.state.x);
-    const fem::LoadLevels change = fem::moved(to.levels, -1.0, from.levels);
-    return 0.5 * (system.assembler().load_power(from.state.x, motion, from.levels, change) +
-                  system.assembler().load_power(to.state.x, motion, to.levels, change));
-}
-
 /// `held` with the value `target`, to which it changes along the path.
 std::optional<PathPoint> snap_to(Corrector& corrector, const PathState& path, Constraint held, double target) {
     const PathPoint& last = *path.last;
@@ -75,36 +56,36 @@ std::optional<PathPoint> snap_to(Corrector& corrector, const PathState& path, Co
     if (!last.tangent.unstable_modes || *last.tangent.unstable_modes > modes || !is_on_the_way) return std::nullopt;
     const double change = target - controlled_value(held, last, 0.0);
     held.scale = std::abs(change);
-    const Corrector::Memory memory = corrector.memory();
     std::optional<State> state = settle(corrector, path, held, target);
     corrector.newton().set_drag(0.0, nullptr);
     std::optional<PathTangent> tangent;
     if (state) tangent = corrector.newton().tangent(bind(path.control, last), *state);
-    if (!tangent || !tangent->unstable_modes || *tangent->unstable_modes > modes) {
-        corrector.restore(memory);
-        return std::nullopt;
-    }
+    if (!tangent || !tangent->unstable_modes || *tangent->unstable_modes > modes) return std::nullopt;
     PathPoint point = corrector.measure(frame_of(path), std::move(*state), std::move(*tangent));
     if (path.control.kind == ConstraintKind::arc && control_slope(held, point) * change < 0.0)
         rescale(corrector.system(), *path.loads, point, -1.0);
-    point.step_work_J = work_of_jump(corrector.system(), last, point);
-    if (corrector.system().has_symmetric_tangent())
-        point.lost_J = lost_energy(corrector.system(), last, point, *point.step_work_J);
     return point;
 }
 
 }  // namespace
 
-std::optional<Snap> snap(Corrector& corrector, const PathState& path, double step) {
+std::optional<Snap> snap(Corrector& corrector, PathState& path, const Listeners& listeners, double step) {
     const Constraint held = held_constraint(corrector, path);
-    const PathPoint& last = *path.last;
+    PathPoint& last = *path.last;
+    const Corrector::Memory memory = corrector.memory();
+    const Goal* goal = nullptr;
     auto point = snap_to(corrector, path, held, controlled_value(held, last, 0.0) + control_slope(held, last) * step);
-    if (!point) return std::nullopt;
-    const auto passed = first_between(path.goals, last, *point);
-    if (!passed) return Snap{std::move(*point)};
-    point = snap_to(corrector, path, passed->goal->constraint, passed->goal->target);
-    if (!point) return std::nullopt;
-    return Snap{std::move(*point), passed->goal};
+    if (const auto passed = point ? first_between(path.goals, last, *point) : std::nullopt) {
+        goal = passed->goal;
+        corrector.restore(memory);
+        point = snap_to(corrector, path, goal->constraint, goal->target);
+    }
+    if (!point || find_crossing(corrector, listeners, *point)) {
+        corrector.restore(memory);
+        return std::nullopt;
+    }
+    find_work_of_jump(corrector.system(), last, *point);
+    return Snap{std::move(*point), goal};
 }
 
 }  // namespace soft::solver

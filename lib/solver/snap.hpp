@@ -7,7 +7,7 @@
 /// from the last row on, at the target of the failed step, with a drag c_n that falls until it vanishes.
 /// Source: Coffey, Kelley and Keyes, SIAM J. Sci. Comput. 25 (2003) 553. Internal to the module. Tested by pipeline
 /// ContactThatSnapsKeepsItsEnergyBalance.
-#include "solver/corrector.hpp"
+#include "solver/events.hpp"
 
 namespace soft::solver {
 
@@ -16,8 +16,9 @@ struct Snap {
     const Goal* goal = nullptr;  ///< reached
 };
 
-/// The stable state after the snap, with the energy set free; nullopt where the last row is not stable, or no stable state is found
-/// nearby; the memory of the corrector is then unchanged. `step`: the first one that failed. A goal on the way is the target instead.
-[[nodiscard]] std::optional<Snap> snap(Corrector& corrector, const PathState& path, double step);
+/// The stable state after the snap, with the energy set free; nullopt where the last row is not stable, no stable state is found nearby, or
+/// walls cross there; the memory of the corrector is then unchanged. `step`: the first one that failed. A goal on the way is the target
+/// instead.
+[[nodiscard]] std::optional<Snap> snap(Corrector& corrector, PathState& path, const Listeners& listeners, double step);
 
 }  // namespace soft::solver

@@ -70,6 +70,17 @@ void find_work_of_step(Corrector& corrector, PathState& path, PathPoint& to) {
     if (from.touches && to.touches && left_J > wanted_J) to.lost_J = left_J;
 }
 
+void find_work_of_jump(fem::System& system, PathPoint& from, PathPoint& to) {
+    const linalg::Vector motion = copy_of(to.state.x);
+    linalg::add(motion, -1.0, from.state.x);
+    const fem::LoadLevels change = fem::moved(to.levels, -1.0, from.levels);
+    to.step_work_J = 0.5 * (system.assembler().load_power(from.state.x, motion, from.levels, change) +
+                            system.assembler().load_power(to.state.x, motion, to.levels, change));
+    if (!system.has_symmetric_tangent()) return;
+    const double gain_J = stored_energy_of(system, to) - stored_energy_of(system, from);
+    to.lost_J = std::max(*to.step_work_J - gain_J, 0.0);
+}
+
 bool breaks_energy_balance(Corrector& corrector, PathState& path, PathPoint& to) {
     fem::System& system = corrector.system();
     const double mean_m = linalg::norm(to.state.x) / std::sqrt(static_cast<double>(system.dofs().total));
