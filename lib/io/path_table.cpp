@@ -54,24 +54,19 @@ constexpr auto moving = in_optional<&Step::motion, member>;
 template <auto member>
 constexpr auto resting = in_optional<&Step::energies, member>;
 
-double* energy_tangent(Step& step) {
-    return step.energies && step.energies->tangent_J ? &*step.energies->tangent_J : nullptr;
-}
-double* dissipated_energy(Step& step) {
-    return step.energies && step.energies->dissipated_J ? &*step.energies->dissipated_J : nullptr;
+template <auto member>
+double* in_energies(Step& step) {
+    return step.energies && (*step.energies).*member ? &*((*step.energies).*member) : nullptr;
 }
 double* volume_tangent(Step& step) { return step.volume_m3 ? &step.tangent_volume : nullptr; }
 /// In a dynamic path, the columns of the same names are those of the motion.
 void create_energies(Step& step) {
     if (!step.motion) create<&Step::energies>(step);
 }
-void create_dissipated_energy(Step& step) {
+template <auto member>
+void create_in_energies(Step& step) {
     create_energies(step);
-    if (step.energies) step.energies->dissipated_J.emplace();
-}
-void create_energy_tangent(Step& step) {
-    create_energies(step);
-    if (step.energies) step.energies->tangent_J.emplace();
+    if (step.energies) ((*step.energies).*member).emplace();
 }
 
 using Motion = Step::Motion;
@@ -97,8 +92,8 @@ constexpr Column<double> number_columns[]{
     {"stored_energy", "J", "strain energy of the whole actuator", resting<&Energies::stored_J>, create_energies},
     {"load_work", "J", "work of the loads since the start of the path", resting<&Energies::load_work_J>,
      create_energies},
-    {"dissipated_energy", "J", "set free by snaps in contact since the start of the path", dissipated_energy,
-     create_dissipated_energy},
+    {"dissipated_energy", "J", "set free by snaps in contact since the start of the path",
+     in_energies<&Energies::dissipated_J>, create_in_energies<&Energies::dissipated_J>},
     {"time", "s", "time since the undeformed state at rest", moving<&Motion::time_s>},
     {"kinetic_energy", "J", "kinetic energy of the whole actuator", moving<&Motion::kinetic_energy_J>},
     {"stored_energy", "J", "strain energy of the whole actuator", moving<&Motion::stored_energy_J>},
@@ -119,7 +114,8 @@ constexpr Column<double> tangent_columns[]{
     {"load_parameter", "1", "derivative along the path", in_row<&Step::tangent_load_factor>},
     {"pressure", nullptr, "derivative along the path", in_row<&Step::tangent_pressure>},
     {"cavity_volume", "m3", "derivative along the path", volume_tangent},
-    {"load_work", "J", "derivative along the path; also of stored_energy", energy_tangent, create_energy_tangent},
+    {"load_work", "J", "derivative along the path; also of stored_energy", in_energies<&Energies::tangent_J>,
+     create_in_energies<&Energies::tangent_J>},
 };
 
 /// A group of columns for a list of the rows, and for its derivative along the path if it has one.
