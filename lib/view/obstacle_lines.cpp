@@ -6,7 +6,7 @@
 #include <set>
 #include <variant>
 
-#include "math/tensor.hpp"
+#include "fem/plane_axes.hpp"
 
 namespace soft::view {
 
@@ -19,15 +19,6 @@ constexpr int grid_lines = 8, generators = 16, meridians = 12;
 
 Point sum(const Point& a, double s, const Vector3& e, double t = 0, const Vector3& f = {}) {
     return along(along(a, s, e), t, f);
-}
-
-/// Two unit vectors normal to a unit vector and to each other.
-std::array<Vector3, 2> normals_of(const Vector3& n) {
-    const auto least = std::ranges::min_element(n, {}, [](double c) { return std::abs(c); });
-    Vector3 e{};
-    e[static_cast<std::size_t>(least - n.begin())] = 1;
-    const Vector3 first = cross(n, e), unit = along({}, 1 / norm(first), first);
-    return {unit, cross(n, unit)};
 }
 
 Curve line(const Point& middle, const Vector3& direction, double half) {
@@ -70,7 +61,7 @@ std::vector<Curve> edges(const model::FacetedSurface& surface) {
 struct InSpace {
     Frame at;
     std::vector<Curve> operator()(const model::Plane& plane) const {
-        const auto [e, f] = normals_of(plane.normal);
+        const auto [e, f] = fem::plane_axes(plane.normal);
         const double height = dot(difference(at.center, plane.point), plane.normal);
         const Point middle = along(at.center, -height, plane.normal);
         std::vector<Curve> curves;
@@ -81,7 +72,7 @@ struct InSpace {
         return curves;
     }
     std::vector<Curve> operator()(const model::Cylinder& cylinder) const {
-        const auto [e, f] = normals_of(cylinder.axis);
+        const auto [e, f] = fem::plane_axes(cylinder.axis);
         const Point middle =
             along(cylinder.point, dot(difference(at.center, cylinder.point), cylinder.axis), cylinder.axis);
         std::vector<Curve> curves;
@@ -162,9 +153,11 @@ void add_inside(std::vector<Line>& lines, const std::vector<Curve>& curves, cons
 
 /// Signs of the coordinates of the actuator and of its mirror images.
 std::vector<Vector3> images(const model::Case& model, Extent extent) {
+    const bool is_mirrored =
+        (extent == Extent::opened || extent == Extent::whole) && model.kinematics != model::Kinematics::plane_strain;
     std::vector<Vector3> signs{{1, 1, 1}};
     for (std::size_t d = 0; d < 3; ++d) {
-        if (extent == Extent::modelled || !model.symmetry_planes[d]) continue;
+        if (!is_mirrored || !model.symmetry_planes[d]) continue;
         const std::size_t count = signs.size();
         for (std::size_t i = 0; i < count; ++i) {
             signs.push_back(signs[i]);

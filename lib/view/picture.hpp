@@ -1,7 +1,7 @@
 #pragma once
 /// Picture of the deformed body coloured by a field, as PNG: surface with shading, the undeformed outline, lines of the obstacles, title,
-/// scale bar and colour bar. Body and outline are rendered here (view/raster.hpp), text and bars by the program gnuplot, which needs no display.
-/// Tested by view/picture_test.
+/// scale bar and colour bar. Body and lines are rendered here (view/raster.hpp), text and bars by the program gnuplot, which needs no
+/// display. Tested by view/picture_test.
 #include <filesystem>
 #include <optional>
 #include <span>
