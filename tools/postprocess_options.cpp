@@ -62,8 +62,9 @@ const std::string columns_help =
     "exceeded in 1 % of the rubber: converges under refinement), max_stretch (does not converge at a sharp corner), min_J\n"
     "(smallest volume ratio), stable (1 or 0). max_stretch and min_J are values of single integration points; pictures and\n"
     "ParaView's nodal fields use the linear part of each cell, which is more accurate and does not show such peaks.\n"
-    "--also adds for static paths stored_energy_mJ and load_work_mJ, and the undeformed positions of max_stretch and of the\n"
-    "largest energy density; --plot --x and --y accept these without --also. --outputs lists all columns with their meaning.\n"
+    "--also adds for static paths stored_energy_mJ and load_work_mJ, in contact dissipated_energy_mJ (set free by snaps), and the\n"
+    "undeformed positions of max_stretch and of the largest energy density; --plot --x and --y accept these without --also.\n"
+    "--outputs lists all columns with their meaning.\n"
     "--at accepts every column with a unit, by its name without the unit: pressure, elongation, volume, bend=30deg. It prints\n"
     "one row per crossing, in the order of the path; for a value that the path does not reach, it prints the reached range and\n"
     "returns exit code 65.\n";
