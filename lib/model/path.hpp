@@ -58,9 +58,9 @@ struct Step {
     struct Energies {
         double stored_J = 0, load_work_J = 0;  ///< strain energy; work of the loads since the start of the path
         /// Derivative of load_work_J along the path, in equilibrium also of stored_J. Absent in older files.
-        std::optional<double> tangent_J;
+        std::optional<double> tangent_J = {};
         /// Set free by snaps (solver/snap.hpp) since the start of the path; absent where nothing can touch, and in older files.
-        std::optional<double> dissipated_J;
+        std::optional<double> dissipated_J = {};
     };
     std::optional<Energies> energies;
     /// Dynamic path: load_factor is time / duration, and the tangents are time derivatives.

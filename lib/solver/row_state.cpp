@@ -144,7 +144,7 @@ void read_rubber(fem::System& system, const PathPoint& point, double direction, 
     const double whole = 1.0 / system.input().model_fraction;
     const double power =
         system.assembler().load_power(point.state.x, point.tangent.x, point.levels, point.level_slopes);
-    step.energies = {whole * stored_J, whole * point.load_work_J, whole * direction * power, {}};
+    step.energies = {whole * stored_J, whole * point.load_work_J, whole * direction * power};
 }
 
 double work_between(fem::System& system, const PathPoint& from, const PathPoint& to, FromTangent of_from) {

@@ -62,6 +62,8 @@ TEST(ObstacleLines, AreMirroredWithTheActuator) {
         const auto lines = obstacle_lines(model, {&shift, 1}, window, mirrored ? Extent::whole : Extent::modelled);
         EXPECT_EQ(std::ranges::any_of(lines, [](const Line& line) { return line[0][1] < 0; }), mirrored);
     }
+    model.kinematics = model::Kinematics::plane_strain;  // drawn as modelled
+    for (const Line& line : obstacle_lines(model, {&shift, 1}, window, Extent::opened)) EXPECT_GT(line[0][1], 0);
 }
 
 TEST(ObstacleLines, MoveWithTheLevelsOfTheStages) {
