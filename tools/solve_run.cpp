@@ -123,7 +123,7 @@ SolveSummary follow(fem::System& system, const Task& task, const SolveOptions& o
         if (step.max_stretch > summary.max_stretch_step.max_stretch) summary.max_stretch_step = step;
         ++summary.steps;
         // Materials without a strain energy (asymmetric tangent) have no energy balance.
-        if (system.has_symmetric_tangent()) summary.energy.add(step);
+        if (system.has_energy()) summary.energy.add(step);
         return progress.advance(step);
     };
     std::vector<solver::RowState> rows;  // kept for --tolerance

@@ -22,7 +22,8 @@ struct Block {
     [[nodiscard]] std::size_t points() const { return nodes.size() + (obstacle >= 0 ? 1 : 0); }
 };
 
-/// Adds a function of one vector r = sum over points of weight x position, with the derivatives g and H by r.
+/// Adds a function of one vector r = sum over points of weight x position, with the derivatives g and H by r: of the energy, or a force and
+/// its derivative [component of the force][of r].
 void add_function(Block& block, std::span<const double> weights, const Vector3& g, const std::array<Vector3, 3>& H);
 
 /// Adds to the Hessian `factor` times what the motion of the closest point along its facet contributes to that of half the squared

@@ -21,8 +21,8 @@ constexpr double share_of_initial_gap = 0.1;
 constexpr double same_point = 1e-9;
 /// Fraction of h: below it the curvature of the distance is lost in rounding.
 constexpr double no_gap = 1e-6;
-/// Keys of the blocks of smooth obstacles, after those of facets and faceted obstacles.
-constexpr std::size_t smooth_keys = std::size_t{1} << 60;
+/// Keys of the blocks of smooth obstacles and of friction with obstacles, after those of facets and faceted obstacles.
+constexpr std::size_t smooth_keys = std::size_t{1} << 60, friction_keys = std::size_t{1} << 61;
 
 /// The closest point of the same feature in the undeformed state.
 ClosestPoint undeformed_closest(const Patch& patch, const Feature& feature, const Point& X) {
@@ -52,7 +52,12 @@ bool has_passed_through(const ContactSurface::Entry& entry, std::size_t q, const
 
 FacetContact::FacetContact(const ContactState& at, std::size_t facet, std::span<const std::size_t> others,
                            Summary& summary)
-    : at_(at), entry_(at.surface.entries()[facet]), map_(at.patches[facet]), others_(others), summary_(summary) {
+    : at_(at),
+      entry_(at.surface.entries()[facet]),
+      map_(at.patches[facet]),
+      facet_(facet),
+      others_(others),
+      summary_(summary) {
     const Point& middle = map_.nodes[0];
     double radius = entry_.distance_m;
     for (std::size_t a = 0; a < entry_.nodes.size(); ++a)
@@ -63,7 +68,7 @@ FacetContact::FacetContact(const ContactState& at, std::size_t facet, std::span<
 }
 
 void FacetContact::add(const std::function<void(const Block&)>& to) {
-    if (near_.empty() && others_.empty()) return;
+    if (near_.empty() && others_.empty()) return at_.friction.set(facet_, {}, at_.patches, at_.shifts);
     const std::size_t nodes = entry_.nodes.size();
     for (std::size_t q = 0; q < entry_.X.size(); ++q) {
         Point x{};
@@ -71,6 +76,8 @@ void FacetContact::add(const std::function<void(const Block&)>& to) {
         if (!others_.empty()) add_features(q, x);
         for (const SmoothObstacle* obstacle : near_) add_smooth(q, x, *obstacle);
     }
+    at_.friction.set(facet_, touches_, at_.patches, at_.shifts);
+    for (const Friction::Point& point : at_.friction.points(facet_)) add_friction(point);
     for (const auto& [key, block] : blocks_) to(block);
 }
 
@@ -211,6 +218,9 @@ void FacetContact::add_feature(std::size_t q, const Point& x, const Feature& fea
     add_function(block, weights, g, H);
     if (by_f != 0 && !block.hessian.empty()) add_sliding(block, weights, y, feature.closest, r, values, by_f);
     if (feature.is_closest) note(q, other.obstacle, share, b);
+    if (!at_.friction.is_empty())
+        touches_.push_back({q, other.obstacle, g, -scale * b.curvature_1_m, feature.facet, feature.closest.xi,
+                            feature.is_closest, reach - gap});
 }
 
 void FacetContact::add_smooth(std::size_t q, const Point& x, const SmoothObstacle& obstacle) {
@@ -239,6 +249,31 @@ void FacetContact::add_smooth(std::size_t q, const Point& x, const SmoothObstacl
     const auto key = smooth_keys + static_cast<std::size_t>(&obstacle - at_.smooth.data());
     add_function(block_of(key, obstacle.index, {}), weights, g, H);
     note(q, obstacle.index, 1, b);
+    if (!at_.friction.is_empty() && !mirror)
+        touches_.push_back({.point = q,
+                            .obstacle = obstacle.index,
+                            .gradient = g,
+                            .force_by_gap_N_m = -scale * b.curvature_1_m,
+                            .depth_m = reach - gap});
+}
+
+void FacetContact::add_friction(const Friction::Point& point) {
+    const auto value = Friction::value(point, at_.friction.relative(facet_, point, at_.patches, at_.shifts));
+    summary_.energy_J += value.stored_J;
+    summary_.dissipated_J += value.dissipated_J;
+    const std::size_t nodes = entry_.nodes.size();
+    std::vector<double> weights(&entry_.rule->N[point.point * nodes], &entry_.rule->N[point.point * nodes] + nodes);
+    if (!point.other) {
+        weights.push_back(-1);
+        const auto key = friction_keys + static_cast<std::size_t>(point.obstacle);
+        return add_function(block_of(key, point.obstacle, {}), weights, value.force_N, value.by_position);
+    }
+    const auto& other = at_.surface.entries()[*point.other];
+    std::array<mesh::ShapeValue, 9> shapes;
+    const auto values = std::span{shapes}.first(other.nodes.size());
+    mesh::shape_values(other.undeformed.type, {point.xi[0], point.xi[1], 0}, values);
+    for (const auto& shape : values) weights.push_back(-shape.value);
+    add_function(block_of(*point.other, -1, other.nodes), weights, value.force_N, value.by_position);
 }
 
 }  // namespace soft::contact

@@ -7,6 +7,7 @@
 #include "contact/barrier.hpp"
 #include "contact/distance.hpp"
 #include "contact/features.hpp"
+#include "contact/friction.hpp"
 #include "contact/potential.hpp"
 
 namespace soft::contact {
@@ -34,6 +35,7 @@ struct ContactState {
     std::span<const SmoothObstacle> smooth;
     std::span<const Vector3> shifts;
     Wanted wanted;
+    Friction& friction;
 };
 
 class FacetContact {
@@ -55,6 +57,7 @@ private:
     [[nodiscard]] bool has_passed(std::size_t q, const mesh::Point& x, const Feature& closest) const;
     void add_feature(std::size_t q, const mesh::Point& x, const Feature& feature);
     void add_smooth(std::size_t q, const mesh::Point& x, const SmoothObstacle& obstacle);
+    void add_friction(const Friction::Point& point);
     void note(std::size_t q, int obstacle, double share, const Barrier& b);
     [[nodiscard]] Block& block_of(std::size_t key, int obstacle, std::span<const mesh::Index> others);
     /// Deformed over undeformed area.
@@ -63,11 +66,13 @@ private:
     const ContactState& at_;
     const ContactSurface::Entry& entry_;
     const Patch& map_;
+    std::size_t facet_;
     std::span<const std::size_t> others_;
     Summary& summary_;
     std::vector<const SmoothObstacle*> near_;
     std::map<std::size_t, Block> blocks_;
     std::vector<double> clearances_m_;
+    std::vector<Touch> touches_;
 };
 
 }  // namespace soft::contact

@@ -6,6 +6,7 @@
 
 #include "contact/candidates.hpp"
 #include "contact/facet_contact.hpp"
+#include "contact/friction.hpp"
 #include "contact/separation.hpp"
 #include "surface/free_facets.hpp"
 
@@ -27,7 +28,8 @@ public:
           self(model.contact.self && model.path.contact == model::Contact::solve),
           candidates(surface, self),
           separations(surface.entries().size()),
-          obstacles(model.obstacles.size()) {
+          obstacles(model.obstacles.size()),
+          friction(surface, coefficients(model, self)) {
         for (std::size_t k = 0; k < obstacles; ++k)
             std::visit(
                 [&](const auto& shape) {
@@ -46,6 +48,31 @@ public:
         }
     }
 
+    static std::vector<double> coefficients(const model::Case& model, bool self) {
+        std::vector<double> all;
+        for (const auto& obstacle : model.obstacles) all.push_back(obstacle.friction);
+        all.push_back(self ? model.contact.friction : 0);
+        return all;
+    }
+
+    /// Contact of one facet, whose near facets are among `others`.
+    void add(const ContactState& at, std::size_t i, std::span<const std::size_t> others, Summary& summary,
+             const std::function<void(const Block&)>& to) {
+        std::vector<std::size_t> near;
+        for (const std::size_t j : others)
+            if (separations.clearance_m(i, j, at.patches) <= 0) near.push_back(j);
+        FacetContact facet(at, i, near, summary);
+        facet.add(to);
+        for (std::size_t k = 0; k < near.size(); ++k) separations.set(i, near[k], facet.clearances_m()[k], at.patches);
+    }
+
+    [[nodiscard]] Summary empty_summary() const {
+        Summary summary;
+        summary.area_m2.assign(obstacles + 1, 0);
+        summary.pressure_Pa.assign(obstacles + 1, 0);
+        return summary;
+    }
+
     [[nodiscard]] double share_without_crossing(std::span<const Patch> from, std::span<const Vector3> shifts,
                                                 std::span<const Patch> to, std::span<const Vector3> shifts_to);
 
@@ -55,6 +82,7 @@ public:
     Separations separations;
     std::size_t obstacles;
     std::vector<SmoothObstacle> smooth;
+    Friction friction;
 };
 
 double Potential::Parts::share_without_crossing(std::span<const Patch> from, std::span<const Vector3> shifts,
@@ -107,7 +135,10 @@ double Potential::Parts::share_without_crossing(std::span<const Patch> from, std
 }
 
 Potential::Potential(const model::Case& model, std::span<const double> modulus_Pa)
-    : parts_(std::make_unique<Parts>(model, modulus_Pa)) {}
+    : parts_(std::make_unique<Parts>(model, modulus_Pa)) {
+    const std::vector<Vector3> unmoved(model.obstacles.size());
+    parts_->friction.start(parts_->surface.patches(model.mesh.points, unmoved), unmoved, {});
+}
 Potential::~Potential() = default;
 Potential::Potential(Potential&&) noexcept = default;
 
@@ -124,26 +155,38 @@ double Potential::harmless_step_m() const {
 std::span<const mesh::Index> Potential::nodes() const { return parts_->surface.nodes(); }
 
 Summary Potential::evaluate(std::span<const Point> positions, std::span<const Vector3> shifts, Wanted wanted,
-                            const std::function<bool(mesh::Index)>& take,
-                            const std::function<void(const Block&)>& add) {
-    Summary summary;
-    summary.area_m2.assign(parts_->obstacles + 1, 0);
-    summary.pressure_Pa.assign(parts_->obstacles + 1, 0);
+                            const Take& take, const std::function<void(const Block&)>& add) {
+    Summary summary = parts_->empty_summary();
     if (is_empty()) return summary;
     const auto patches = parts_->surface.patches(positions, shifts);
     const auto others = parts_->candidates.between(patches, patches);
-    const ContactState at{parts_->surface, patches, parts_->smooth, shifts, wanted};
-    for (std::size_t i = 0; i < parts_->surface.free_count(); ++i) {
-        if (!take(parts_->surface.entries()[i].facet.cell)) continue;
-        std::vector<std::size_t> near;
-        for (const std::size_t j : others[i])
-            if (parts_->separations.clearance_m(i, j, patches) <= 0) near.push_back(j);
-        FacetContact facet(at, i, near, summary);
-        facet.add(add);
-        for (std::size_t k = 0; k < near.size(); ++k)
-            parts_->separations.set(i, near[k], facet.clearances_m()[k], patches);
-    }
+    const ContactState at{parts_->surface, patches, parts_->smooth, shifts, wanted, parts_->friction};
+    for (std::size_t i = 0; i < parts_->surface.free_count(); ++i)
+        if (take(parts_->surface.entries()[i].facet.cell)) parts_->add(at, i, others[i], summary, add);
+    summary.dissipated_J += parts_->friction.dissipated_before_J();
     return summary;
+}
+
+bool Potential::has_friction() const { return !is_empty() && !parts_->friction.is_empty(); }
+
+bool Potential::start_friction(std::span<const Point> positions, std::span<const Vector3> shifts,
+                               const FrictionState& from, const Take& take) {
+    FrictionState own{{}, from.dissipated_J};
+    const auto entries = parts_->surface.entries().first(parts_->surface.free_count());
+    for (const auto& slip : from.slips) {
+        if (slip.facet >= entries.size() || slip.point >= entries[slip.facet].X.size() || slip.obstacle < -1 ||
+            slip.obstacle >= static_cast<int>(parts_->obstacles))
+            return false;
+        if (take(entries[slip.facet].facet.cell)) own.slips.push_back(slip);
+    }
+    parts_->friction.start(parts_->surface.patches(positions, shifts), shifts, own);
+    return true;
+}
+
+FrictionState Potential::friction_start() const { return parts_->friction.start_state(); }
+
+FrictionState Potential::friction_state(std::span<const Point> positions, std::span<const Vector3> shifts) const {
+    return parts_->friction.state(parts_->surface.patches(positions, shifts), shifts);
 }
 
 double Potential::share_without_crossing(std::span<const Point> from, std::span<const Vector3> shifts,

@@ -10,6 +10,8 @@
 /// No force acts without strain: where obstacles, or facets that face each other, are closer than h in the undeformed state, at D, the
 /// barrier depends on d + h - D. The h of other pairs is at most a tenth of D, which separates points that are close along the material.
 /// A symmetry plane, and the axis r = 0, is an obstacle without friction: a body touches its mirror image at the plane.
+/// Friction (friction.hpp) acts where a coefficient is positive. Its forces have no potential: the Hessian of a block is then their derivative,
+/// which is not symmetric, and E contains what friction stores.
 /// Two sides of one wall, and facets that share a node and are visible from one side (Volino), do not act on each other.
 /// Derived here; the idea of the potential: Li et al. 2020 (barrier.hpp), on curved facets as in M. Ferguson et al., High-order
 /// incremental potential contact, SIGGRAPH 2023. Tested by contact/potential_test and the verification suite (group Contact).
@@ -31,14 +33,29 @@ struct Summary {
         area_m2;  ///< undeformed area in contact, by obstacle, then with itself (mirror images included)
     std::vector<double> pressure_Pa;      ///< largest pressure on the deformed area, in the same order
     double max_pressure_Pa = 0;           ///< of all
+    double dissipated_J = 0;              ///< by friction since the first step
     std::optional<mesh::Point> location;  ///< undeformed point where that pressure is
     int touched = -1;                     ///< obstacle there; -1 itself
 
     [[nodiscard]] bool touches() const { return location.has_value(); }
 };
 
+/// What a step of a path with friction starts from.
+struct FrictionState {
+    struct Slip {
+        std::size_t facet = 0, point = 0;
+        int obstacle = -1;
+        Vector3 elastic_m{};
+        double limit_N = 0;  ///< at which it slides
+    };
+    std::vector<Slip> slips;
+    double dissipated_J = 0;  ///< so far, by the facets of the caller
+};
+
 class Potential {
 public:
+    using Take = std::function<bool(mesh::Index)>;
+
     /// `modulus_Pa`: E_0 by region. Copies what it needs from the case.
     Potential(const model::Case& model, std::span<const double> modulus_Pa);
     ~Potential();
@@ -55,7 +72,16 @@ public:
     /// `positions`: one per mesh point; `shifts`: displacement of each obstacle; `take(cell)`: whether the points of the facet of a cell
     /// are summed. Blocks come in a fixed order.
     Summary evaluate(std::span<const mesh::Point> positions, std::span<const Vector3> shifts, Wanted wanted,
-                     const std::function<bool(mesh::Index)>& take, const std::function<void(const Block&)>& add);
+                     const Take& take, const std::function<void(const Block&)>& add);
+
+    [[nodiscard]] bool has_friction() const;
+    /// Starts a step at this configuration. False if a slip is not that of a sample point.
+    [[nodiscard]] bool start_friction(std::span<const mesh::Point> positions, std::span<const Vector3> shifts,
+                                      const FrictionState& from, const Take& take);
+    /// The state of the configuration that was evaluated last, and of the start of the step.
+    [[nodiscard]] FrictionState friction_state(std::span<const mesh::Point> positions,
+                                               std::span<const Vector3> shifts) const;
+    [[nodiscard]] FrictionState friction_start() const;
 
     /// The share of the way from one configuration to another, at most 1, up to which no sample point goes deeper behind a facet or obstacle
     /// than evaluate() can see, judged by the distances at the start.

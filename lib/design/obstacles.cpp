@@ -15,10 +15,13 @@ namespace {
 using model::ContactSettings;
 
 constexpr std::string_view contact_section = "contact";
+constexpr Range friction_range{0, 5};
 
 const Settings<ContactSettings>& contact_settings() {
     static const Settings<ContactSettings> settings{
         flag("self", &ContactSettings::self, "contact of the actuator with itself and with its mirror images"),
+        number("friction", &ContactSettings::friction, friction_range,
+               "coefficient of Coulomb friction, of the actuator with itself and with obstacles that have no other"),
         number("distance", &ContactSettings::distance, {1e-4, 0.1},
                "distance at which surfaces begin to act on each other, as a share of the size of their facets")};
     return settings;
@@ -61,6 +64,9 @@ std::vector<Key> contact_keys() { return keys_of(contact_settings(), std::string
 
 std::vector<Key> obstacle_keys(const std::string& name, const ObstacleKeys& shape) {
     std::vector<Key> keys = shape.keys;
+    keys.push_back(
+        or_word("auto", value_key("friction", Kind::ratio, friction_range,
+                                  "coefficient of Coulomb friction with this obstacle; auto: contact.friction")));
     for (Key& key : keys) key.path.insert(0, obstacle_path(name) + ".");
     return keys;
 }

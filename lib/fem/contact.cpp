@@ -1,7 +1,10 @@
 #include "fem/contact.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+
+#include "linalg/rank_part.hpp"
 
 namespace soft::fem {
 
@@ -23,7 +26,8 @@ void sum_over_ranks(contact::Summary& summary, MPI_Comm comm, int rank) {
     const auto reduce = [comm](std::vector<double>& values, MPI_Op op) {
         MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, op, comm);
     };
-    MPI_Allreduce(MPI_IN_PLACE, &summary.energy_J, 1, MPI_DOUBLE, MPI_SUM, comm);
+    for (double* energy : {&summary.energy_J, &summary.dissipated_J})
+        MPI_Allreduce(MPI_IN_PLACE, energy, 1, MPI_DOUBLE, MPI_SUM, comm);
     reduce(summary.area_m2, MPI_SUM);
     reduce(summary.pressure_Pa, MPI_MAX);
     struct {
@@ -63,8 +67,7 @@ contact::Summary Contact::evaluate(contact::Wanted wanted,
     if (!potential_.is_empty()) read_positions();
     std::vector<PetscInt> dofs;
     auto summary = potential_.evaluate(
-        positions_, shifts_, wanted,
-        [this](mesh::Index cell) { return fe_.dofs.cell_rank[static_cast<std::size_t>(cell)] == fe_.rank; },
+        positions_, shifts_, wanted, [this](mesh::Index cell) { return is_own(cell); },
         [&](const contact::Block& block) {
             dofs.clear();
             for (std::size_t i = 0; i < block.dimension; ++i) {
@@ -81,6 +84,51 @@ contact::Summary Contact::evaluate(contact::Wanted wanted,
 contact::Summary Contact::measure(Vec x) {
     state_.read(x);
     return evaluate(contact::Wanted::gradient, [](std::span<const PetscInt>, const contact::Block&) {});
+}
+
+void Contact::start_friction(Vec x) {
+    if (!has_friction()) return;
+    static_cast<void>(measure(x));
+    static_cast<void>(potential_.start_friction(positions_, shifts_, potential_.friction_state(positions_, shifts_),
+                                                [this](mesh::Index cell) { return is_own(cell); }));
+}
+
+bool Contact::start_friction(Vec x, std::span<const double> from) {
+    constexpr std::size_t numbers = 7;
+    if (!has_friction()) return from.empty();
+    if (from.size() % numbers != 1) return false;
+    state_.read(x);
+    read_positions();
+    contact::FrictionState start{{}, fe_.rank == 0 ? from[0] : 0.0};
+    for (std::size_t i = 1; i < from.size(); i += numbers) {
+        const auto n = from.subspan(i, numbers);
+        if (std::ranges::any_of(n.first(2), [](double index) { return !(index >= 0 && index < 1e9); }) ||
+            std::abs(n[2]) > 1e6)
+            return false;
+        start.slips.push_back({static_cast<std::size_t>(n[0]),
+                               static_cast<std::size_t>(n[1]),
+                               static_cast<int>(n[2]),
+                               {n[3], n[4], n[5]},
+                               n[6]});
+    }
+    return potential_.start_friction(positions_, shifts_, start, [this](mesh::Index cell) { return is_own(cell); });
+}
+
+std::vector<double> Contact::friction_start() const {
+    if (!has_friction()) return {};
+    const contact::FrictionState own = potential_.friction_start();
+    std::vector<double> values;
+    for (const auto& slip : own.slips) {
+        values.insert(values.end(), {static_cast<double>(slip.facet), static_cast<double>(slip.point),
+                                     static_cast<double>(slip.obstacle)});
+        values.insert(values.end(), slip.elastic_m.begin(), slip.elastic_m.end());
+        values.push_back(slip.limit_N);
+    }
+    double dissipated_J = own.dissipated_J;
+    MPI_Allreduce(MPI_IN_PLACE, &dissipated_J, 1, MPI_DOUBLE, MPI_SUM, fe_.comm);
+    values = linalg::gather_all(values, MPI_DOUBLE, fe_.comm);
+    values.insert(values.begin(), dissipated_J);
+    return values;
 }
 
 double Contact::share_without_crossing(Vec from, const LoadLevels& levels, Vec to, const LoadLevels& levels_to) {

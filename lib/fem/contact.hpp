@@ -19,6 +19,14 @@ public:
     /// The same at x, without blocks, under the levels last prescribed.
     [[nodiscard]] contact::Summary measure(Vec x);
 
+    [[nodiscard]] bool has_friction() const { return potential_.has_friction(); }
+    /// See contact::Potential. Starts a step at x, under the levels last prescribed, from the friction there. Collective, as the others.
+    void start_friction(Vec x);
+    /// The same from friction_start(): what the present step has started from, of all ranks; empty without friction. False if that
+    /// does not fit.
+    [[nodiscard]] bool start_friction(Vec x, std::span<const double> from);
+    [[nodiscard]] std::vector<double> friction_start() const;
+
     /// True where nothing can ever touch.
     [[nodiscard]] bool is_empty() const { return potential_.is_empty(); }
     /// Current position of a node of the free facets, at the state of the last evaluation.
@@ -39,6 +47,9 @@ public:
 
 private:
     void read_positions();
+    [[nodiscard]] bool is_own(mesh::Index cell) const {
+        return fe_.dofs.cell_rank[static_cast<std::size_t>(cell)] == fe_.rank;
+    }
 
     const Discretization& fe_;
     LocalState& state_;

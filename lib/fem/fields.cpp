@@ -105,7 +105,8 @@ double Fields::stored_energy(Vec x) {
         energy_J += point.weight_m3 * energy_J_m3;
     });
     MPI_Allreduce(MPI_IN_PLACE, &energy_J, 1, MPI_DOUBLE, MPI_SUM, fe_.comm);
-    return energy_J + contact_.measure(x).energy_J;
+    const contact::Summary contact = contact_.measure(x);
+    return energy_J + contact.energy_J + contact.dissipated_J;
 }
 
 StretchSummary Fields::stretches(Vec x) {
@@ -130,7 +131,9 @@ StretchSummary Fields::stretches(Vec x) {
     });
     MPI_Allreduce(MPI_IN_PLACE, &summary.min_jacobian, 1, MPI_DOUBLE, MPI_MIN, fe_.comm);
     MPI_Allreduce(MPI_IN_PLACE, &summary.stored_energy_J, 1, MPI_DOUBLE, MPI_SUM, fe_.comm);
-    summary.stored_energy_J += contact_.measure(x).energy_J;
+    const contact::Summary contact = contact_.measure(x);
+    summary.stored_energy_J += contact.energy_J;
+    summary.friction_J = contact.dissipated_J;
     MPI_Allreduce(MPI_IN_PLACE, &summary.max_energy_J_m3, 1, MPI_DOUBLE, MPI_MAX, fe_.comm);
     MPI_Allreduce(&own, &most, 1, MPI_DOUBLE_INT, MPI_MAXLOC, fe_.comm);
     MPI_Bcast(summary.max_at_m.data(), 3, MPI_DOUBLE, most.rank, fe_.comm);

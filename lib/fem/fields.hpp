@@ -16,6 +16,7 @@ struct StretchSummary {
     double min_jacobian = 1;
     Vector3 max_at_m{};          ///< undeformed position of the largest stretch; x, r, 0 in a section
     double stored_energy_J = 0;  ///< of the modelled part, with that of the contact
+    double friction_J = 0;       ///< dissipated by friction since the start of the path
     double max_energy_J_m3 = 0;  ///< per undeformed volume, at an integration point
 };
 
@@ -30,7 +31,7 @@ public:
     /// Both must outlive this object.
     Fields(const Discretization& fe, Contact& contact, LocalState& state) : fe_(fe), contact_(contact), state_(state) {}
 
-    /// Energy stored in the rubber of the modelled part [J]. Collective, as all members.
+    /// Energy stored in the rubber and the contact of the modelled part, and dissipated by friction so far [J]. Collective, as all members.
     [[nodiscard]] double stored_energy(Vec x);
     [[nodiscard]] StretchSummary stretches(Vec x);
 

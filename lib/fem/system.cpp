@@ -30,6 +30,7 @@ bool System::has_fibers() const {
     return std::ranges::any_of(fe_.rubbers, [](const auto& rubber) { return material::fibers_of(rubber).has_value(); });
 }
 
-bool System::has_symmetric_tangent() const { return std::ranges::all_of(fe_.rubbers, material::has_symmetric_tangent); }
+bool System::has_energy() const { return std::ranges::all_of(fe_.rubbers, material::has_symmetric_tangent); }
+bool System::has_symmetric_tangent() const { return has_energy() && !contact_.has_friction(); }
 
 }  // namespace soft::fem

@@ -35,7 +35,9 @@ public:
     [[nodiscard]] Outputs& outputs() noexcept { return outputs_; }
     [[nodiscard]] Fields& fields() noexcept { return fields_; }
 
-    /// False if a law is a stress without an energy. Does not account for a pressure on a surface with a free rim.
+    /// False if a law is a stress without an energy.
+    [[nodiscard]] bool has_energy() const;
+    /// False without an energy, and with friction. Does not account for a pressure on a surface with a free rim.
     [[nodiscard]] bool has_symmetric_tangent() const;
     /// Whether a material has fibres: the tangent jumps where a fibre becomes slack or taut.
     [[nodiscard]] bool has_fibers() const;

@@ -118,6 +118,10 @@ model::Case build_case(const design::Design& design, mesh::Mesh mesh, const mode
     result.path = design.path;
     result.solver = design.solver;
     result.dynamics = design.dynamics;
+    const auto slides_with_friction = [](const model::Obstacle& obstacle) { return obstacle.friction > 0; };
+    if (result.dynamics && (result.contact.friction > 0 || std::ranges::any_of(result.obstacles, slides_with_friction)))
+        throw design.values.refuse("dynamics.duration", "a motion in time has no friction",
+                                   "set contact.friction and that of the obstacles to 0, or omit dynamics.duration");
     result.mesh = std::move(mesh);
     return result;
 }

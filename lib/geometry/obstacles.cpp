@@ -55,6 +55,8 @@ std::vector<model::Obstacle> make_obstacles(const design::Design& design, const 
     for (const auto& request : design.obstacles) {
         const ObstacleShape& own = shape_of(request);
         model::Obstacle& obstacle = obstacles.emplace_back(model::Obstacle{request.name, {}});
+        const auto friction = design.values.numbers(path_of(request.name) + ".friction");
+        obstacle.friction = friction.empty() ? design.contact.friction : friction.front();
         if (own.storage == ObstacleStorage::design) {
             obstacle.shape = own.build({design.values, path_of(request.name), shape.kinematics});
             continue;

@@ -25,8 +25,8 @@ auto members(Is<model::Step::Extremes> auto& extremes) {
     return std::tie(stretch_at, energy);
 }
 auto members(Is<model::Step::Energies> auto& energies) {
-    auto& [stored, work, tangent, dissipated] = energies;
-    return std::tie(stored, work, tangent, dissipated);
+    auto& [stored, work, tangent, dissipated, friction] = energies;
+    return std::tie(stored, work, tangent, dissipated, friction);
 }
 auto members(Is<model::Step::Motion> auto& motion) {
     auto& [time, kinetic, stored, work, damping] = motion;
@@ -69,9 +69,9 @@ auto members(Is<model::StageStart> auto& start) {
 }
 auto members(Is<model::Checkpoint> auto& checkpoint) {
     auto& [ranks, rows, stage, stage_row, start, control, controlled, user_failed, on_branch, pending, pivots, before,
-           last, step, first_step, dissipated, work, slope, visited, so_far] = checkpoint;
+           last, step, first_step, dissipated, friction, work, slope, visited, so_far] = checkpoint;
     return std::tie(ranks, rows, stage, stage_row, start, control, controlled, user_failed, on_branch, pending, pivots,
-                    before, last, step, first_step, dissipated, work, slope, visited, so_far);
+                    before, last, step, first_step, dissipated, friction, work, slope, visited, so_far);
 }
 auto members(Is<JournalStep> auto& record) {
     auto& [step, displacement, pressure] = record;

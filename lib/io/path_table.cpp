@@ -94,6 +94,8 @@ constexpr Column<double> number_columns[]{
      create_energies},
     {"dissipated_energy", "J", "set free by snaps in contact since the start of the path",
      in_energies<&Energies::dissipated_J>, create_in_energies<&Energies::dissipated_J>},
+    {"friction_work", "J", "dissipated by friction since the start of the path", in_energies<&Energies::friction_J>,
+     create_in_energies<&Energies::friction_J>},
     {"time", "s", "time since the undeformed state at rest", moving<&Motion::time_s>},
     {"kinetic_energy", "J", "kinetic energy of the whole actuator", moving<&Motion::kinetic_energy_J>},
     {"stored_energy", "J", "strain energy of the whole actuator", moving<&Motion::stored_energy_J>},

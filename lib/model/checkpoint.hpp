@@ -47,6 +47,7 @@ struct Checkpoint {
     StatePoint last;
     double step = 0, first_step = 0;  ///< of q
     double dissipated_J = 0;          ///< set free by snaps, for the modelled part of the actuator
+    std::vector<double> friction;     ///< fem::Contact::friction_start() at `last`
     double work_before_stage_J = 0;   ///< work of the loads before the stage, for the modelled part of the actuator
     double first_slope = 0;           ///< norm of the path tangent per load factor at the start of the stage
     /// [row of the stage x 32]: sketches of states and tangents (solver/visited_states.hpp).

@@ -52,10 +52,12 @@ struct FacetedSurface {
 struct Obstacle {
     std::string name;
     std::variant<Plane, Cylinder, Sphere, FacetedSurface> shape;
+    double friction = 0;  ///< coefficient of Coulomb friction
 };
 
 struct ContactSettings {
     bool self = true;        ///< contact of the actuator with itself
+    double friction = 0;     ///< coefficient of Coulomb friction of the actuator with itself
     double distance = 0.02;  ///< at which surfaces begin to act on each other, over the size of their facets
 };
 

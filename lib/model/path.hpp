@@ -61,6 +61,8 @@ struct Step {
         std::optional<double> tangent_J = {};
         /// Set free by snaps (solver/snap.hpp) since the start of the path; absent where nothing can touch, and in older files.
         std::optional<double> dissipated_J = {};
+        /// Dissipated by friction since the start of the path; absent without friction.
+        std::optional<double> friction_J = {};
     };
     std::optional<Energies> energies;
     /// Dynamic path: load_factor is time / duration, and the tangents are time derivatives.

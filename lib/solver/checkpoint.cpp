@@ -90,6 +90,7 @@ void Recorder::keep_checkpoint(const PathState& path) const {
     checkpoint.step = path.step;
     checkpoint.first_step = path.first_step;
     checkpoint.dissipated_J = path.dissipated_J;
+    checkpoint.friction = corrector_.system().contact().friction_start();
     checkpoint.work_before_stage_J = path.work_before_J;
     checkpoint.first_slope = path.first_slope;
     for (const VisitedState& state : path.visited)
@@ -115,6 +116,9 @@ void restore(const model::Checkpoint& from, Corrector& corrector, PathState& pat
     path.step = from.step;
     path.first_step = from.first_step;
     path.dissipated_J = from.dissipated_J;
+    system.prescribe(path.last->levels);
+    if (!system.contact().start_friction(path.last->state.x, from.friction))
+        refuse_checkpoint("its friction does not fit the case");
     path.work_before_J = from.work_before_stage_J;
     path.first_slope = from.first_slope;
     for (auto next = from.visited.begin(); next != from.visited.end(); next += 2 * sketch_size) {

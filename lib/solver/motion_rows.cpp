@@ -39,7 +39,7 @@ void MotionFollower::append() {
     const int factorizations = stage_ ? stage_->factorizations() : 0;
     step.factorizations = factorizations - factorizations_at_row_;
     const double whole = 1.0 / input_.model_fraction;
-    const double stored_J = solver::read_stretches(system_, last_.x, step);
+    const double stored_J = solver::read_stretches(system_, last_.x, step).stored_energy_J;
     step.motion = {last_.time_s, whole * kinetic_energy(equations_, last_.v), whole * stored_J, whole * load_work_J_,
                    whole * damping_work_J_};
     if (auto problem = check_plausibility(step)) return finish(model::StopReason::diverged, std::move(*problem));

@@ -60,11 +60,11 @@ void scale(PathTangent& tangent, double factor) {
     for (double& pressure : tangent.pressures) pressure *= factor;
 }
 
-/// Where fibres become slack or taut, K jumps and |R| may rise along a sequence of full steps that converges in the end (Newton's
+/// Where fibres become slack or taut, or surfaces slide or stick, K jumps and |R| may rise along a sequence of full steps that converges in the end (Newton's
 /// method for semismooth equations: Qi and Sun, Math. Programming 58 (1993) 353). Full steps are tried before the correction fails.
 NewtonResult Newton::correct(const Constraint& constraint, double target, State& state) {
-    const bool may_jump =
-        bordered_.settings.line_search == model::LineSearch::backtracking && bordered_.system.has_fibers();
+    const bool may_jump = bordered_.settings.line_search == model::LineSearch::backtracking &&
+                          (bordered_.system.has_fibers() || bordered_.system.contact().has_friction());
     if (!may_jump) return correct_by(bordered_.settings.line_search, constraint, target, state);
     State again = copy_of(state);
     NewtonResult result = correct_by(bordered_.settings.line_search, constraint, target, state);

@@ -10,7 +10,7 @@
 /// right-hand sides and columns are new in each iteration. bfgs updates it by the pairs dx, R_new - R_old + sum dp_k f_k - dlambda
 /// dR/dlambda, which exclude the loads (quasi_newton.hpp). With TangentSource::finite_difference or LinearMethod::jacobian_free,
 /// K or K v are differences of R (differences.hpp).
-/// Where backtracking finds no descent in a body with fibres, the correction is repeated without a line search.
+/// Where backtracking finds no descent in a body with fibres or with friction, the correction is repeated without a line search.
 /// Equilibrium: |R| <= residual_tolerance x scale of the nodal forces, or |R| no larger than the rounding error of R in the
 /// undeformed body. Strains below about 1e-6 vanish in that rounding error; a predictor that is exact to it is not corrected.
 /// A Krylov solve that reaches its iteration limit gives an inexact correction; for the path tangent ten times the limit is allowed.

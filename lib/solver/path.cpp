@@ -118,7 +118,8 @@ void PathFollower::step() {
     }
     path_.attempts.crossing = find_crossing(corrector_, listeners_, *point);
     if (path_.attempts.crossing) return recover();
-    const bool may_jump = system_.has_fibers() && path_.attempts.failures < failures_before_kink;
+    const bool may_jump =
+        (system_.has_fibers() || system_.contact().has_friction()) && path_.attempts.failures < failures_before_kink;
     if (may_jump && breaks_energy_balance(corrector_, path_, *point)) return recover();
     const double taken = point->q - path_.last->q;
     if (shorten_for_the_curve(system_, path_, aim, error.larger(), *point))
@@ -149,7 +150,13 @@ void PathFollower::step() {
 void PathFollower::commit(PathPoint point) {
     recorder_.append(path_, point);
     path_.before = std::move(path_.last);
+    go_from(std::move(point));
+}
+
+void PathFollower::go_from(PathPoint point) {
     path_.last = std::move(point);
+    system_.prescribe(path_.last->levels);
+    system_.contact().start_friction(path_.last->state.x);
 }
 
 bool PathFollower::pass_events(Events events) {
@@ -171,7 +178,7 @@ bool PathFollower::pass_events(Events events) {
         }
         recorder_.append(path_, event.point);
         if (event.kind == Event::Kind::first_contact) {  // the path bends here: it is not predicted from before
-            path_.last = std::move(event.point);
+            go_from(std::move(event.point));
             path_.before.reset();
             path_.step = round_step_size(step_after_contact * path_.step);
             return true;
@@ -214,7 +221,7 @@ bool PathFollower::take_branch(Event& bifurcation) {
     path_.control = arc;
     path_.step = path_.first_step = perturbed.scale;
     recorder_.report_control(path_);
-    path_.last = std::move(origin);
+    go_from(std::move(origin));
     commit(std::move(*point));
     path_.before.reset();
     return true;

@@ -26,8 +26,9 @@ public:
 private:
     void start();
     void step();
-    /// Makes a state the path's last one.
+    /// Appends a state, and makes it the path's last one; go_from: without appending it again.
     void commit(PathPoint point);
+    void go_from(PathPoint point);
     /// Appends the events before the next state; true if the path ends or turns at one.
     [[nodiscard]] bool pass_events(Events events);
     [[nodiscard]] bool take_branch(Event& bifurcation);

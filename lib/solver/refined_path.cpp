@@ -122,6 +122,8 @@ std::optional<RowState> RefinedPath::solve(const RowState& coarse, RowPosition p
     if (frequencies_ && keep == Keep::fields)  // a mesh that is only compared reports no rows
         row.step.frequencies_Hz = frequencies_->evaluate(point.state.x, point.levels);
     if (keep == Keep::fields) row = row_state(system_, point, 1.0, std::move(row.step));
+    system_.prescribe(point.levels);
+    system_.contact().start_friction(point.state.x);
     last_ = std::move(point);
     return row;
 }

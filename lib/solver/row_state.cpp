@@ -128,23 +128,24 @@ model::Step step_of(const fem::System& system, const PathPoint& point, double di
     return step;
 }
 
-double read_stretches(fem::System& system, Vec x, model::Step& step) {
+fem::StretchSummary read_stretches(fem::System& system, Vec x, model::Step& step) {
     const auto stretch = system.fields().stretches(x);
     step.stretch_p99 = stretch.p99;
     step.max_stretch = stretch.largest;
     step.min_jacobian = stretch.min_jacobian;
     step.extremes = {stretch.max_at_m, stretch.max_energy_J_m3};
-    return stretch.stored_energy_J;
+    return stretch;
 }
 
 void read_rubber(fem::System& system, const PathPoint& point, double direction, model::Step& step) {
     system.prescribe(point.levels);
-    const double stored_J = read_stretches(system, point.state.x, step);
-    if (!system.has_symmetric_tangent()) return;
+    const fem::StretchSummary stretch = read_stretches(system, point.state.x, step);
+    if (!system.has_energy()) return;
     const double whole = 1.0 / system.input().model_fraction;
     const double power =
         system.assembler().load_power(point.state.x, point.tangent.x, point.levels, point.level_slopes);
-    step.energies = {whole * stored_J, whole * point.load_work_J, whole * direction * power};
+    step.energies = {whole * stretch.stored_energy_J, whole * point.load_work_J, whole * direction * power};
+    if (system.contact().has_friction()) step.energies->friction_J = whole * stretch.friction_J;
 }
 
 double work_between(fem::System& system, const PathPoint& from, const PathPoint& to, FromTangent of_from) {

@@ -45,8 +45,8 @@ enum class FromTangent { along_the_path, of_another_stage };
 /// Tested by solver/work_test.
 [[nodiscard]] double work_between(fem::System& system, const PathPoint& from, const PathPoint& to, FromTangent of_from);
 
-/// Fills the stretches of a state; returns the energy stored in the modelled part [J]. The motions prescribed are those of the state.
-double read_stretches(fem::System& system, Vec x, model::Step& step);
+/// Fills the stretches of a state, and returns the energies of the modelled part with them. The motions prescribed are those of the state.
+fem::StretchSummary read_stretches(fem::System& system, Vec x, model::Step& step);
 
 /// Stretches and energies of a point whose values have been read, its slopes times `direction` (1 or -1). Prescribes its motions.
 void read_rubber(fem::System& system, const PathPoint& point, double direction, model::Step& step);

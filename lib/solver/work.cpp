@@ -33,7 +33,7 @@ double stored_energy_of(fem::System& system, PathPoint& point) {
 struct WorkInterval {
     WorkInterval(fem::System& system, PathPoint& a, PathPoint& b)
         : from(a), to(b), work_J(work_between(system, a, b, FromTangent::along_the_path)) {
-        if (system.has_symmetric_tangent()) gain_J = stored_energy_of(system, b) - stored_energy_of(system, a);
+        if (system.has_energy()) gain_J = stored_energy_of(system, b) - stored_energy_of(system, a);
     }
     PathPoint &from, &to;
     double work_J, gain_J = 0;
@@ -60,7 +60,7 @@ void find_work_of_step(Corrector& corrector, PathState& path, PathPoint& to) {
     PathPoint& from = *path.last;
     const WorkInterval whole(system, from, to);
     to.step_work_J = whole.work_J;
-    if (!system.has_symmetric_tangent()) return;
+    if (!system.has_energy()) return;
     const double size_J = std::max(std::abs(whole.gain_J), flat_energy * std::abs(*to.stored_J));
     const Corrector::Memory memory = corrector.memory();
     const double wanted_J = corrector.input().solver.step_accuracy * size_J;
@@ -76,7 +76,7 @@ void find_work_of_jump(fem::System& system, PathPoint& from, PathPoint& to) {
     const fem::LoadLevels change = fem::moved(to.levels, -1.0, from.levels);
     to.step_work_J = 0.5 * (system.assembler().load_power(from.state.x, motion, from.levels, change) +
                             system.assembler().load_power(to.state.x, motion, to.levels, change));
-    if (!system.has_symmetric_tangent()) return;
+    if (!system.has_energy()) return;
     const double gain_J = stored_energy_of(system, to) - stored_energy_of(system, from);
     to.lost_J = std::max(*to.step_work_J - gain_J, 0.0);
 }
@@ -84,7 +84,7 @@ void find_work_of_jump(fem::System& system, PathPoint& from, PathPoint& to) {
 bool breaks_energy_balance(Corrector& corrector, PathState& path, PathPoint& to) {
     fem::System& system = corrector.system();
     const double mean_m = linalg::norm(to.state.x) / std::sqrt(static_cast<double>(system.dofs().total));
-    if (!system.has_symmetric_tangent() || mean_m < rounding_strain * mesh::extent_m(system.input().mesh)) return false;
+    if (!system.has_energy() || mean_m < rounding_strain * mesh::extent_m(system.input().mesh)) return false;
     find_work_of_step(corrector, path, to);
     const double from_J = *path.last->stored_J, to_J = *to.stored_J;
     return std::abs(*to.step_work_J - (to_J - from_J)) > energy_jump * std::max(from_J, to_J);

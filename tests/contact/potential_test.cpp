@@ -151,6 +151,114 @@ TEST_P(PotentialOf, DerivativesOfContactWithObstaclesAreExact) {
     }
 }
 
+const Potential::Take all = [](mesh::Index) { return true; };
+
+/// Sum of the forces on the block, the left one of two, along y.
+double force_along_y(const Derivatives& at, const model::Case& model) {
+    double force = 0;
+    for (std::size_t n = 0; n < model.mesh.points.size(); ++n)
+        if (model.mesh.points[n][0] < 1.5) force += at.gradient[3 * n + 1];
+    return force;
+}
+
+/// A block slides on a plane, or on another block: mu times the normal force, against the motion; the work is stored or dissipated.
+TEST_P(PotentialOf, FrictionFollowsCoulombsLaw) {
+    constexpr double mu = 0.4;
+    for (const bool has_plane : {true, false})
+        for (const int dimension : {2, 3}) {
+            model::Case model = with_settings(test::two_blocks(
+                dimension, GetParam(), dimension == 2 ? model::Kinematics::plane_strain : model::Kinematics::solid));
+            model.contact.friction = mu;
+            if (has_plane) {
+                model.contact.self = false;
+                model.obstacles.push_back({"plane", model::Plane{{-1, 0, 0}, {1, 0, 0}}});
+            }
+            Potential potential(model, std::array{modulus_Pa});
+            const double h = potential.distance_m();
+            const std::vector<Vector3> shifts(model.obstacles.size());
+            const auto at_slip = [&](double slip_m, double gap_m) {
+                State state{model.mesh.points, shifts};
+                for (Point& x : state.positions)
+                    if (x[0] < 1.5) {
+                        x[0] += has_plane ? gap_m - 1 : 1 - gap_m;
+                        x[1] += slip_m;
+                    }
+                return state;
+            };
+            const auto start = [&](const State& state) {
+                static_cast<void>(derivatives(potential, state.positions, state.shifts));
+                EXPECT_TRUE(potential.start_friction(state.positions, state.shifts,
+                                                     potential.friction_state(state.positions, state.shifts), all));
+            };
+            const auto evaluate = [&](const State& state) { return derivatives(potential, state.positions, shifts); };
+            const auto normal_force = [&](const Derivatives& at) {
+                double force = 0;
+                for (std::size_t n = 0; n < model.mesh.points.size(); ++n)
+                    if (model.mesh.points[n][0] < 1.5) force += at.gradient[3 * n];
+                return std::abs(force);
+            };
+            const double gap = 0.5 * h;
+            start(at_slip(0, gap));
+            const auto rest = evaluate(at_slip(0, gap)), stick = evaluate(at_slip(1e-3 * h, gap)),
+                       slide = evaluate(at_slip(5 * h, gap)), back = evaluate(at_slip(-5 * h, gap));
+            const double limit = mu * normal_force(rest);
+            EXPECT_NEAR(force_along_y(rest, model), 0, 1e-12 * limit);
+            EXPECT_GT(force_along_y(stick, model), 0);
+            EXPECT_LT(force_along_y(stick, model), limit);
+            EXPECT_EQ(stick.summary.dissipated_J, 0);
+            // Points beyond the edge of another block have inclined normals.
+            const double tolerance = has_plane ? 1e-9 * limit : 0.05 * limit;
+            EXPECT_NEAR(force_along_y(slide, model), mu * normal_force(slide), tolerance);
+            EXPECT_NEAR(force_along_y(back, model), -mu * normal_force(back), tolerance);
+            if (!has_plane) continue;  // the overlap of two blocks depends on the slip
+            // From rest the force grows over a slip of less than h, and is constant then.
+            start(at_slip(5 * h, gap));
+            const double before_J = evaluate(at_slip(5 * h, gap)).summary.dissipated_J;
+            const auto further = evaluate(at_slip(9 * h, gap));
+            EXPECT_NEAR(further.summary.dissipated_J - before_J, limit * 4 * h, 1e-9 * limit * h);
+            EXPECT_NEAR(further.summary.energy_J, slide.summary.energy_J, 1e-9 * limit * h);
+            // Where contact ends, what friction has stored is lost.
+            start(at_slip(9 * h, gap));
+            const auto apart = evaluate(at_slip(9 * h, 1.1 * h));
+            EXPECT_NEAR(apart.summary.dissipated_J - further.summary.dissipated_J,
+                        further.summary.energy_J - rest.summary.energy_J, 1e-9 * limit * h);
+        }
+}
+
+/// The derivative of the forces is exact where the normal does not turn; here along any motion of a block on a plane.
+TEST_P(PotentialOf, DerivativesOfFrictionAreExactOnAPlane) {
+    for (const auto kinematics : {model::Kinematics::plane_strain, model::Kinematics::solid})
+        for (const double slip : {0.05, 3.0}) {
+            model::Case model =
+                with_settings(test::two_blocks(kinematics == model::Kinematics::solid ? 3 : 2, GetParam(), kinematics));
+            model.contact.self = false;
+            const double h = Potential(model, std::array{modulus_Pa}).distance_m();
+            model.obstacles.push_back({"plane", model::Plane{{-2 * h, 0, 0}, {1, 0, 0}}, 0.6});
+            Potential potential(model, std::array{modulus_Pa});
+            State state{model.mesh.points, {{}}};
+            state.shifts[0] = {1.5 * h, 0, 0};
+            EXPECT_TRUE(potential.start_friction(state.positions, state.shifts, {}, all));
+            state.shifts[0] = {1.5 * h, slip * h, 0};
+            const auto direction = direction_of(model, 6, 0.3 * h);
+            const auto at = derivatives(potential, state.positions, state.shifts, Wanted::hessian);
+            ASSERT_TRUE(at.summary.touches());
+            std::vector<double> left;
+            for (const double step : {4e-3, 2e-3, 1e-3}) {
+                const State next = moved(state, step, direction);
+                const auto there = derivatives(potential, next.positions, next.shifts);
+                double sum = 0;
+                for (std::size_t p = 0; p < direction.size(); ++p) {
+                    double change = there.gradient[p] - at.gradient[p];
+                    for (std::size_t q = 0; q < direction.size(); ++q)
+                        change -= step * at.hessian[p * direction.size() + q] * direction[q];
+                    sum = std::hypot(sum, change);
+                }
+                left.push_back(sum);
+            }
+            EXPECT_GT(std::log2(left[1] / left[2]), 1.8) << left[0] << ' ' << left[1] << ' ' << left[2];
+        }
+}
+
 /// Pairs of facets that are apart are not computed again until they may have moved by their distance.
 TEST_P(PotentialOf, EnergyDoesNotDependOnEarlierStates) {
     const model::Case model = with_settings(test::two_blocks(3, GetParam(), model::Kinematics::solid));

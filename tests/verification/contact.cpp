@@ -1,5 +1,6 @@
 // Contact with rigid obstacles and with itself. The references are closed forms and those of tests/verification/peers, whose README
 // explains the tolerances: a wall keeps a gap below the contact distance, 1 % of a facet, so that obstacles act this much early.
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -190,6 +191,19 @@ Outcome indentation(const std::string& design, const char* source, double force_
                      "the block has a finite size (0.1 to 0.4 %), and the gap is about 0.5 % of the depth"}});
 }
 
+/// Coulomb's law on a ramp of slope `slope`: horizontal over vertical force is tan(a + f) while it advances, tan(a - f) while it withdraws;
+/// 0 where tan a is the coefficient of friction: a block begins to slide down there.
+Outcome ramp(const std::string& design, double slope, const std::vector<std::string>& sets) {
+    const Run run = run_design(design, sets);
+    const auto ratio = [](const model::Step& step) { return 1 + step.outputs.at(0) / -step.outputs.at(1); };
+    const auto advanced = std::ranges::find_if(run.steps, [](const model::Step& step) { return step.stage == 1; });
+    const double a = std::atan(slope), f = std::atan(0.3);
+    return compare(
+        run, "Coulomb's law",
+        {{"1 + horizontal over vertical force, advancing [-]", 1 + std::tan(a + f), ratio(*std::prev(advanced))},
+         {"1 + the same, withdrawing [-]", 1 + std::tan(a - f), ratio(run.steps.back())}});
+}
+
 std::vector<Problem> mould_problems() {
     std::vector<Problem> problems;
     const auto add = [&](const char* name, const Mould& mould) {
@@ -222,6 +236,9 @@ std::vector<Problem> contact_problems() {
     add("ring collapsed by pressure", collapsed_ring);
     add("ring collapsed by pressure, half", collapsed_half, Duration::slow);
     add("ring between plates", pressed_ring);
+    add("sliding wedge", [] { return ramp("verification/contact-wedge.yaml", 0.1, {}); });
+    add("sliding wedge, 1 mm cells", [] { return ramp("verification/contact-wedge.yaml", 0.1, {"mesh.size=1 mm"}); });
+    add("block on an incline", [] { return ramp("verification/contact-incline.yaml", 0.3, {}); });
     add("sphere on a block", [] {
         const double force_N = 16.0 / 3 * mu_Pa * std::sqrt(10e-3) * std::pow(0.02e-3, 1.5);
         return indentation("verification/contact-hertz-sphere.yaml", "Hertz", force_N, "1");

@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# shellcheck disable=SC2016  # awk expands its own variables
+# Friction with an obstacle: limits, energy, resume, ranks, and what has none.   friction.sh BIN CMAKE
+. "$(dirname "${BASH_SOURCE[0]}")/check.sh"
+last() { column "$1" "$2" | tail -n 1; }
+for mu in 0 0.5; do
+    runs "mesh-gen -q designs/bellows-at-wall.yaml --set contact.friction=$mu -o $mu.h5 && solve -q $mu.h5 -o $mu-result.h5"
+done
+runs 'postprocess -q 0-result.h5 --also load_work,stored_energy -o 0.csv && postprocess -q 0.5-result.h5 --also load_work,stored_energy,friction_work,dissipated_energy -o 0.5.csv'
+claim "without friction there is no friction_work" [ -z "$(head -n 1 0.csv | grep friction)" ]
+paste <(column load_work_mJ 0.5.csv) <(column stored_energy_mJ 0.5.csv) <(column friction_work_mJ 0.5.csv) <(column dissipated_energy_mJ 0.5.csv) >energies
+claim "friction only dissipates" awk '$3 < lost { bad = 1 } { lost = $3 } END { exit bad || !(lost > 0) }' energies
+claim "the energies balance to 0.1 %" \
+    awk '{ gap = $1 - $2 - $3 - $4; if (gap < 0) gap = -gap; if (gap > worst) worst = gap; work = $1 } END { exit !(worst < 1e-3 * work) }' energies
+runs "solve -q 0.h5 --set contact.friction=0.5 -o set.h5 && postprocess -q set.h5 --also load_work,stored_energy,friction_work,dissipated_energy -o set.csv"
+claim "solve --set changes the friction" cmp 0.5.csv set.csv
+run 'timeout -s KILL 1.5 solve -q 0.5.h5 -o part.h5; if [ -s part.h5 ]; then solve -q --resume part.h5; else solve -q 0.5.h5 -o part.h5; fi; postprocess -q part.h5 --also load_work,stored_energy,friction_work,dissipated_energy | cmp - 0.5.csv'
+claim "a solve that is killed and resumed gives the same curve to the byte" exits 0
+runs "mpirun -n 2 solve -q 0.5.h5 -o two.h5 && postprocess -q two.h5 --also friction_work -o two.csv"
+claim "two ranks dissipate the same" within "$(awk -v a="$(last friction_work_mJ two.csv)" -v b="$(last friction_work_mJ 0.5.csv)" 'BEGIN { print a / b }')" 0.999 1.001
+
+# An obstacle with its own coefficient.
+runs "mesh-gen designs/verification/contact-wedge.yaml --set contact.friction=0 --set 'obstacles.ramp={plane: {point: [0 mm, -0.1 mm, 0 mm], normal: [-0.1, 1, 0]}, friction: 0.3}' --set mesh.size=4mm -o wedge.h5 && solve -q wedge.h5 -o wedge-result.h5 && postprocess -q wedge-result.h5 -o wedge.csv"
+claim "the ramp slides at Coulomb's limit" within "$(awk -v a="$(last push_N wedge.csv)" -v b="$(last press_N wedge.csv)" 'BEGIN { print a / b }')" 0.19416 0.19419
+refuses 65 'mesh-gen: --set contact.friction: *at least 0*' 'mesh-gen designs/bellows-at-wall.yaml --set contact.friction=-0.1'
+refuses 65 'mesh-gen: --set dynamics.duration: a motion in time has no friction; *' \
+    'mesh-gen designs/bellows-at-wall.yaml --set contact.friction=0.1 --set dynamics.duration=1s --set material.density=1000kg/m3'
