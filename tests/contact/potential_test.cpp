@@ -171,7 +171,7 @@ TEST_P(PotentialOf, FrictionFollowsCoulombsLaw) {
             model.contact.friction = mu;
             if (has_plane) {
                 model.contact.self = false;
-                model.obstacles.push_back({"plane", model::Plane{{-1, 0, 0}, {1, 0, 0}}});
+                model.obstacles.push_back({"plane", model::Plane{{-1, 0, 0}, {1, 0, 0}}, mu});
             }
             Potential potential(model, std::array{modulus_Pa});
             const double h = potential.distance_m();

@@ -32,9 +32,13 @@ TEST(Obstacle, IsAbsentByDefaultAndContactEndsThePath) {
 
 TEST(Obstacle, HasAShapeAndTheOrderOfTheDesign) {
     const Design design = read(base +
-                               "contact: {self: false}\nobstacles:\n  wall: {surface: wall.stl, unit: m}\n"
+                               "contact: {self: false, friction: 0.2}\nobstacles:\n"
+                               "  wall: {surface: wall.stl, unit: m, friction: 0.5}\n"
                                "  table: {plane: {point: [0 mm, 1 cm, -5 mm], normal: [0, 0, 1]}}\n");
     EXPECT_FALSE(design.contact.self);
+    EXPECT_EQ(design.contact.friction, 0.2);
+    EXPECT_EQ(design.values.number("obstacles.wall.friction"), 0.5);
+    EXPECT_TRUE(design.values.numbers("obstacles.table.friction").empty());  // that of contact
     ASSERT_EQ(design.obstacles.size(), 2u);
     EXPECT_EQ(design.obstacles[0].name, "wall");  // in the order of the design
     EXPECT_EQ(design.obstacles[0].shape, "surface");
@@ -61,8 +65,8 @@ TEST(Obstacle, ThatIsInvalidIsRefusedAtItsPlace) {
     EXPECT_TRUE(contains(refused("a: {plne: {point: 1}}"), "obstacles.a.plne: unknown key; did you mean 'plane'?"));
     EXPECT_TRUE(contains(refused("a: {" + plane + ", surface: b.stl}"),
                          "obstacles.a.surface: the obstacle is a plane already; write two obstacles"));
-    EXPECT_TRUE(contains(refused("a: {" + plane + ", friction: 1}"), "obstacles.a.friction: unknown key"));
-    EXPECT_TRUE(contains(refusal(base + "contact: {friction: 1}\n"), "contact.friction: unknown key"));
+    EXPECT_TRUE(contains(refused("a: {" + plane + ", friction: -1}"), "obstacles.a.friction: -1 is out of range"));
+    EXPECT_TRUE(contains(refusal(base + "contact: {friction: rough}\n"), "contact.friction: "));
     EXPECT_TRUE(contains(refused("a: {plane: {normal: [1, 0, 0]}}"), "obstacles.a.plane.point: missing"));
     EXPECT_TRUE(contains(refused("a: {plane: {point: [0, 0, 1], normal: [1, 0, 0]}}"), "obstacles.a.plane.point: "));
     for (const std::string name : {"inlet", "end_disc"})  // a face and its alias
