@@ -66,13 +66,6 @@ public:
         for (std::size_t k = 0; k < near.size(); ++k) separations.set(i, near[k], facet.clearances_m()[k], at.patches);
     }
 
-    [[nodiscard]] Summary empty_summary() const {
-        Summary summary;
-        summary.area_m2.assign(obstacles + 1, 0);
-        summary.pressure_Pa.assign(obstacles + 1, 0);
-        return summary;
-    }
-
     [[nodiscard]] double share_without_crossing(std::span<const Patch> from, std::span<const Vector3> shifts,
                                                 std::span<const Patch> to, std::span<const Vector3> shifts_to);
 
@@ -156,7 +149,7 @@ std::span<const mesh::Index> Potential::nodes() const { return parts_->surface.n
 
 Summary Potential::evaluate(std::span<const Point> positions, std::span<const Vector3> shifts, Wanted wanted,
                             const Take& take, const std::function<void(const Block&)>& add) {
-    Summary summary = parts_->empty_summary();
+    Summary summary(parts_->obstacles);
     if (is_empty()) return summary;
     const auto patches = parts_->surface.patches(positions, shifts);
     const auto others = parts_->candidates.between(patches, patches);

@@ -28,6 +28,8 @@ namespace soft::contact {
 
 /// Contact in one configuration, of the facets that the caller asked for.
 struct Summary {
+    explicit Summary(std::size_t obstacles) : area_m2(obstacles + 1), pressure_Pa(obstacles + 1) {}
+
     double energy_J = 0;
     std::vector<double>
         area_m2;  ///< undeformed area in contact, by obstacle, then with itself (mirror images included)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "linalg/rank_part.hpp"
 
@@ -64,6 +65,7 @@ void Contact::read_positions() {
 
 contact::Summary Contact::evaluate(contact::Wanted wanted,
                                    const std::function<void(std::span<const PetscInt>, const contact::Block&)>& add) {
+    if (rests_) return contact::Summary(shifts_.size());
     if (!potential_.is_empty()) read_positions();
     std::vector<PetscInt> dofs;
     auto summary = potential_.evaluate(
@@ -84,6 +86,13 @@ contact::Summary Contact::evaluate(contact::Wanted wanted,
 contact::Summary Contact::measure(Vec x) {
     state_.read(x);
     return evaluate(contact::Wanted::gradient, [](std::span<const PetscInt>, const contact::Block&) {});
+}
+
+bool Contact::touches(Vec x) {
+    const bool rests = std::exchange(rests_, false);
+    const bool touches = measure(x).touches();
+    rests_ = rests;
+    return touches;
 }
 
 void Contact::start_friction(Vec x) {
@@ -132,7 +141,7 @@ std::vector<double> Contact::friction_start() const {
 }
 
 double Contact::share_without_crossing(Vec from, const LoadLevels& levels, Vec to, const LoadLevels& levels_to) {
-    if (potential_.is_empty()) return 1;
+    if (rests_ || potential_.is_empty()) return 1;
     state_.prescribe(levels);
     state_.read(from);
     read_positions();

@@ -19,6 +19,12 @@ public:
     /// The same at x, without blocks, under the levels last prescribed.
     [[nodiscard]] contact::Summary measure(Vec x);
 
+    /// While contact rests, nothing acts and nothing is computed.
+    void set_resting(bool rests) { rests_ = rests; }
+    [[nodiscard]] bool rests() const { return rests_; }
+    /// Whether something touches at x, under the levels last prescribed, even if contact rests.
+    [[nodiscard]] bool touches(Vec x);
+
     [[nodiscard]] bool has_friction() const { return potential_.has_friction(); }
     /// See contact::Potential. Starts a step at x, under the levels last prescribed, from the friction there. Collective, as the others.
     void start_friction(Vec x);
@@ -54,6 +60,7 @@ private:
     const Discretization& fe_;
     LocalState& state_;
     contact::Potential& potential_;
+    bool rests_ = false;
     std::vector<mesh::Point> positions_;
     std::vector<std::array<PetscInt, 3>> obstacle_dofs_;
     std::vector<Vector3> shifts_;

@@ -24,6 +24,28 @@ bool Corrector::correct(const Constraint& constraint, double target, State& stat
 
 std::optional<PathPoint> Corrector::solve_at(const Frame& frame, const Constraint& constraint, double target,
                                              State guess) {
+    fem::Contact& contact = system_.contact();
+    if (!frame.last.touches && !contact.has_friction()) {
+        const Memory before = memory();
+        contact.set_resting(true);
+        auto point = solve_from(frame, constraint, target, copy_of(guess));
+        if (!point) return std::nullopt;
+        contact.set_resting(false);
+        // A step may be longer than an obstacle is thick.
+        const bool passes_through = !input().obstacles.empty() && !point->touches &&
+                                    newton_.share_without_crossing(frame.last.state, point->state) < 1.0;
+        if (!point->touches && !passes_through) {
+            contact.set_resting(true);
+            return point;
+        }
+        restore(before);
+    }
+    contact.set_resting(false);
+    return solve_from(frame, constraint, target, std::move(guess));
+}
+
+std::optional<PathPoint> Corrector::solve_from(const Frame& frame, const Constraint& constraint, double target,
+                                               State guess) {
     if (const double share = newton_.share_without_crossing(frame.last.state, guess); share < 1.0)
         guess = between(frame.last.state, guess, share);
     if (!correct(constraint, target, guess)) return std::nullopt;

@@ -30,6 +30,8 @@ public:
     /// Moves `state` to equilibrium where the constraint has its target; last_result() is the outcome.
     [[nodiscard]] bool correct(const Constraint& constraint, double target, State& state);
 
+    /// Where the frame's last point touches nothing, contact rests as long as nothing touches, so that it costs nothing and does not change
+    /// the iterates.
     [[nodiscard]] std::optional<PathPoint> solve_at(const Frame& frame, const Constraint& constraint, double target,
                                                     State guess);
     /// The state at q between two points of the path.
@@ -52,6 +54,9 @@ public:
     void restore(const Memory& memory);
 
 private:
+    [[nodiscard]] std::optional<PathPoint> solve_from(const Frame& frame, const Constraint& constraint, double target,
+                                                      State guess);
+
     fem::System& system_;
     Newton newton_;
     linalg::Vector scratch_;

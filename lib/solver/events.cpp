@@ -195,6 +195,7 @@ std::optional<Event> locate_bifurcation(Corrector& corrector, const PathState& p
 
 contact::Summary contact_at(Corrector& corrector, const PathState& path, const State& state) {
     corrector.system().prescribe(path.loads->levels(state.load_factor, state.pressures_Pa));
+    corrector.system().contact().set_resting(false);
     return corrector.system().contact().measure(state.x);
 }
 

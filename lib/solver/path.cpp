@@ -13,6 +13,7 @@
 #include "solver/path_end.hpp"
 #include "solver/path_follower.hpp"
 #include "solver/path_text.hpp"
+#include "solver/row_state.hpp"
 #include "solver/snap.hpp"
 #include "solver/stages.hpp"
 #include "solver/stepping.hpp"
@@ -156,6 +157,7 @@ void PathFollower::commit(PathPoint point) {
 void PathFollower::go_from(PathPoint point) {
     path_.last = std::move(point);
     system_.prescribe(path_.last->levels);
+    let_contact_rest(system_, *path_.last, *path_.last);
     system_.contact().start_friction(path_.last->state.x);
 }
 

@@ -1,5 +1,6 @@
 #include "solver/recorder.hpp"
 
+#include "solver/row_state.hpp"
 #include "solver/work.hpp"
 
 namespace soft::solver {
@@ -43,6 +44,7 @@ void Recorder::append(PathState& path, PathPoint& point) {
         point.load_work_J = path.last->load_work_J + *point.step_work_J;
         path.dissipated_J += point.lost_J;
     }
+    let_contact_rest(system, *path.last, point);
     const double direction = path.direction();  // tangents point in the direction of travel
     const WorkCount work = corrector_.work();
     model::Step step = step_of(system, point, direction);

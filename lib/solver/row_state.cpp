@@ -95,7 +95,7 @@ void read_values(fem::System& system, const LoadLevels& levels, const LoadLevels
         point.outputs.push_back(value);
         point.output_slopes.push_back(linalg::dot(gradient, point.tangent.x) + fem::product(by_levels, slopes));
     }
-    point.touches = system.contact().measure(point.state.x).touches();
+    point.touches = system.contact().touches(point.state.x);
     point.leading = leading_of(input, levels, point.state.load_factor);
     point.leading_slope = leading_of(input, slopes, point.tangent.load_factor);
 }
@@ -146,6 +146,10 @@ void read_rubber(fem::System& system, const PathPoint& point, double direction, 
         system.assembler().load_power(point.state.x, point.tangent.x, point.levels, point.level_slopes);
     step.energies = {whole * stretch.stored_energy_J, whole * point.load_work_J, whole * direction * power};
     if (system.contact().has_friction()) step.energies->friction_J = whole * stretch.friction_J;
+}
+
+void let_contact_rest(fem::System& system, const PathPoint& a, const PathPoint& b) {
+    system.contact().set_resting(!a.touches && !b.touches && !system.contact().has_friction());
 }
 
 double work_between(fem::System& system, const PathPoint& from, const PathPoint& to, FromTangent of_from) {

@@ -40,6 +40,9 @@ void read_values(fem::System& system, const LoadLevels& levels, const LoadLevels
 /// Whether the tangent of a point is that of the path that leaves it: at the end of a stage it is not that of the next stage.
 enum class FromTangent { along_the_path, of_another_stage };
 
+/// Lets contact rest where neither point touches anything (Corrector::solve_at).
+void let_contact_rest(fem::System& system, const PathPoint& a, const PathPoint& b);
+
 /// Work of the loads [J], modelled part, between two points whose values have been read: Simpson's rule of the power along
 /// the cubic with both tangents; its error falls with the fourth power of the step. Prescribes the motions of `to`.
 /// Tested by solver/work_test.

@@ -31,12 +31,13 @@ double stored_energy_of(fem::System& system, PathPoint& point) {
 
 /// Two points, the work of the loads between them, and its difference from the gain of stored energy.
 struct WorkInterval {
-    WorkInterval(fem::System& system, PathPoint& a, PathPoint& b)
-        : from(a), to(b), work_J(work_between(system, a, b, FromTangent::along_the_path)) {
+    WorkInterval(fem::System& system, PathPoint& a, PathPoint& b) : from(a), to(b) {
+        let_contact_rest(system, a, b);
+        work_J = work_between(system, a, b, FromTangent::along_the_path);
         if (system.has_energy()) gain_J = stored_energy_of(system, b) - stored_energy_of(system, a);
     }
     PathPoint &from, &to;
-    double work_J, gain_J = 0;
+    double work_J = 0, gain_J = 0;
     [[nodiscard]] double gap_J() const { return std::abs(work_J - gain_J); }
 };
 
@@ -74,6 +75,7 @@ void find_work_of_jump(fem::System& system, PathPoint& from, PathPoint& to) {
     const linalg::Vector motion = copy_of(to.state.x);
     linalg::add(motion, -1.0, from.state.x);
     const fem::LoadLevels change = fem::moved(to.levels, -1.0, from.levels);
+    let_contact_rest(system, from, to);
     to.step_work_J = 0.5 * (system.assembler().load_power(from.state.x, motion, from.levels, change) +
                             system.assembler().load_power(to.state.x, motion, to.levels, change));
     if (!system.has_energy()) return;
