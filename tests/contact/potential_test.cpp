@@ -24,7 +24,8 @@ struct Derivatives {
 Derivatives derivatives(Potential& potential, const std::vector<Point>& positions, const std::vector<Vector3>& shifts,
                         Wanted wanted = Wanted::gradient) {
     const std::size_t size = 3 * (positions.size() + shifts.size());
-    Derivatives sum{Summary(shifts.size()), std::vector<double>(size), std::vector<double>(wanted == Wanted::hessian ? size * size : 0)};
+    Derivatives sum{Summary(shifts.size()), std::vector<double>(size),
+                    std::vector<double>(wanted == Wanted::hessian ? size * size : 0)};
     sum.summary = potential.evaluate(
         positions, shifts, wanted, [](mesh::Index) { return true; },
         [&](const Block& block) {
