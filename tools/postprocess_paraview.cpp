@@ -6,6 +6,7 @@
 #include "core/text.hpp"
 #include "io/vtk_fields.hpp"
 #include "post/arrays.hpp"
+#include "post/contact_pressure.hpp"
 #include "postprocess_pictures.hpp"
 #include "view/numbered_files.hpp"
 #include "view/vtu.hpp"
@@ -93,7 +94,9 @@ private:
 
         Step(const Exporter& exporter, std::int64_t row)
             : values(stored_fields(exporter.shown_.result, row)),
-              state{values.displacement_m, values.pressure_Pa},
+              state{
+                  values.displacement_m, values.pressure_Pa,
+                  post::obstacle_shifts(exporter.model(), exporter.shown_.result.steps, static_cast<std::size_t>(row))},
               fields(post::step_fields(exporter.model(), exporter.region_points_, state)) {}
         Step(const Step&) = delete;  // `state` refers to `values`
         Step& operator=(const Step&) = delete;

@@ -9,6 +9,7 @@
 
 #include "core/text.hpp"
 #include "core/units.hpp"
+#include "post/contact_pressure.hpp"
 #include "post/interpolate.hpp"
 #include "post/quantity.hpp"
 #include "view/animation.hpp"
@@ -165,7 +166,7 @@ public:
     [[nodiscard]] view::Shot shot(const io::FieldReader::Values& values, std::span<const std::string> words,
                                   std::vector<Vector3> shifts) const {
         const model::Case& model = shown_.result.model;
-        const post::NodalState state{values.displacement_m, values.pressure_Pa};
+        const post::NodalState state{values.displacement_m, values.pressure_Pa, shifts};
         const auto nodal = post::nodal_values(style_.quantity, model, region_points_, state,
                                               post::step_fields(model, region_points_, state));
         return {view::base_positions(skin_, model, region_points_, values.displacement_m),
@@ -176,12 +177,7 @@ public:
                     shifts(row));
     }
     [[nodiscard]] std::vector<Vector3> shifts(std::int64_t row) const {
-        const auto& steps = shown_.result.steps;
-        const model::Step& step = steps.at(static_cast<std::size_t>(row));
-        std::vector<double> reached(static_cast<std::size_t>(step.stage), 0.0);
-        for (const model::Step& before : steps)
-            if (before.stage < step.stage) reached[static_cast<std::size_t>(before.stage)] = before.load_factor;
-        return view::obstacle_shifts(shown_.result.model, step.stage, step.load_factor, reached);
+        return post::obstacle_shifts(shown_.result.model, shown_.result.steps, static_cast<std::size_t>(row));
     }
 
     /// Displacements and pressures are interpolated linearly in the path parameter between two stored steps.
@@ -334,9 +330,9 @@ const std::string& pictures_help() {
         "and quarter models are drawn without the quarter between +y and +z, half models without y > 0. front looks along -z with\n"
         "x to the right and y up, side along the axis, top from above. Fields: stretch (largest principal stretch), von-mises,\n"
         "pressure (in the rubber, positive in compression), displacement, energy (per undeformed volume), J (current over undeformed\n"
-        "volume); nodal values are means over the cells of one material.\n"
+        "volume), contact-pressure; nodal values are means over the cells of one material. Obstacles are drawn as lines.\n"
         "ParaView files contain displacement, deformation gradient, principal stretches and directions, J, Cauchy and first\n"
-        "Piola-Kirchhoff stress, von Mises stress, pressure and energy density, at nodes and cells; components of axisymmetric\n"
+        "Piola-Kirchhoff stress, von Mises stress, pressure and energy density, at nodes and cells, and contact pressure at nodes; components of axisymmetric\n"
         "models are x, r, hoop.\n";
     return help;
 }

@@ -266,6 +266,7 @@ Adjacency ContactSurface::adjacency(std::size_t i, std::size_t j) {
 }
 
 Adjacency ContactSurface::find_adjacency(const Entry& a, const Entry& b) const {
+    if (a.facet.cell == b.facet.cell) return Adjacency::sides_of_a_wall;
     for (const Index node : a.nodes)
         if (std::ranges::find(b.nodes, node) != b.nodes.end())
             return has_facing_points(a, b) || has_facing_points(b, a) ? Adjacency::sides_of_a_groove

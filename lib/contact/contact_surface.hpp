@@ -23,7 +23,8 @@ struct SampleRule {
 };
 [[nodiscard]] SampleRule sample_rule(mesh::CellType facet);
 
-/// How two facets of the actuator lie to each other in the undeformed state. Sides of a groove are neighbours with air between them.
+/// How two facets of the actuator lie to each other in the undeformed state. Sides of a groove are neighbours with air between them; between
+/// the sides of a wall, or of one cell, is rubber.
 enum class Adjacency { apart, neighbours, sides_of_a_groove, sides_of_a_wall };
 
 class ContactSurface {

@@ -69,6 +69,7 @@ FacetContact::FacetContact(const ContactState& at, std::size_t facet, std::span<
 
 void FacetContact::add(const std::function<void(const Block&)>& to) {
     if (near_.empty() && others_.empty()) return at_.friction.set(facet_, {}, at_.patches, at_.shifts);
+    pressures_Pa_.assign(entry_.X.size(), 0);
     const std::size_t nodes = entry_.nodes.size();
     for (std::size_t q = 0; q < entry_.X.size(); ++q) {
         Point x{};
@@ -107,6 +108,7 @@ void FacetContact::note(std::size_t q, int obstacle, double share, const Barrier
     const double pressure = -entry_.stiffness_Pa * b.slope / stretch_at(q);
     summary_.area_m2[k] += share * entry_.weight_m2[q];
     summary_.pressure_Pa[k] = std::max(summary_.pressure_Pa[k], pressure);
+    pressures_Pa_[q] = std::max(pressures_Pa_[q], pressure);
     if (summary_.location && pressure <= summary_.max_pressure_Pa) return;
     summary_.max_pressure_Pa = pressure;
     summary_.location = entry_.X[q];
@@ -254,7 +256,8 @@ void FacetContact::add_smooth(std::size_t q, const Point& x, const SmoothObstacl
                             .obstacle = obstacle.index,
                             .gradient = g,
                             .force_by_gap_N_m = -scale * b.curvature_1_m,
-                            .depth_m = reach - gap});
+                            .depth_m = reach - gap,
+                            .normal_by_position_1_m = d.hessian});
 }
 
 void FacetContact::add_friction(const Friction::Point& point) {

@@ -47,6 +47,8 @@ public:
     void add(const std::function<void(const Block&)>& to);
     /// By other facet, after add(): the motion towards it after which a point of this facet may touch it or lie behind it.
     [[nodiscard]] std::span<const double> clearances_m() const { return clearances_m_; }
+    /// Largest pressure on the deformed area by sample point, after add(); empty where nothing is near.
+    [[nodiscard]] std::vector<double> pressures_Pa() { return std::move(pressures_Pa_); }
 
 private:
     /// Whether a sample point lies on another facet, at a common corner or edge.
@@ -71,7 +73,7 @@ private:
     Summary& summary_;
     std::vector<const SmoothObstacle*> near_;
     std::map<std::size_t, Block> blocks_;
-    std::vector<double> clearances_m_;
+    std::vector<double> clearances_m_, pressures_Pa_;
     std::vector<Touch> touches_;
 };
 

@@ -86,6 +86,7 @@ void Friction::set(std::size_t facet, std::span<const Touch> touches, std::span<
         if (!(mu * force > 0)) continue;
         Point point{q, obstacle, obstacle < 0 ? closest->other : std::nullopt, closest->xi};
         point.normal = along({}, -1 / force, gradient);
+        point.normal_by_position_1_m = closest->normal_by_position_1_m;
         point.limit_N = mu * force;
         point.limit_by_gap_N_m = mu * by_gap_N_m;
         point.stiffness_N_m = stiffness_N_m(facet, q, obstacle);
@@ -136,6 +137,8 @@ Friction::Value Friction::value(const Point& point, const Vector3& relative) {
             if (slides)
                 at.by_position[k][l] +=
                     trial[k] / length * (point.limit_by_gap_N_m * point.normal[l] - stiffness * trial[l] / length);
+            for (std::size_t m = 0; m < 3; ++m)
+                at.by_position[k][l] -= point.normal[k] * at.force_N[m] * point.normal_by_position_1_m[m][l];
         }
     return at;
 }

@@ -3,8 +3,9 @@
 ///   e = e_0 + g(x),   t = k_t e where |k_t e| <= mu f, else t = mu f e/|e|,   k_t = w k / h
 /// with the elastic slip e_0 and the state x_0 at the start of the step, the tangential motion g(x) since then of the point relative to
 /// the obstacle or to the point of the other facet, the force f of the normal contact, and the share w of the undeformed area.
-/// The derivative of t contains that of f by the gap, which is not symmetric. It omits the rotation of the tangent plane and the motion of
-/// the closest point along the other facet, both of the order of mu f over the stiffness of the surface.
+/// The derivative of t contains that of f by the gap, which is not symmetric, and the rotation of the tangent plane on a smooth obstacle.
+/// It omits that rotation on facets and the motion of the closest point along the other facet, both of the order of mu f over the
+/// stiffness of the surface.
 /// The slip e is at most mu f h/(w k) in rest, which is below h: the larger h, the more a surface creeps before it slides.
 /// Source: Simo and Laursen, An augmented Lagrangian treatment of contact problems involving friction, Comput. Struct. 42 (1992) 97 (return
 /// mapping).
@@ -29,6 +30,7 @@ struct Touch {
     surface::FacetPoint xi{};
     bool is_closest = true;
     double depth_m = 0;  ///< below the contact distance
+    std::array<Vector3, 3> normal_by_position_1_m{};
 };
 
 class Friction {
@@ -55,6 +57,7 @@ public:
         double limit_N = 0, limit_by_gap_N_m = 0, stiffness_N_m = 0;
         double limit_before_N = 0;  ///< at the start of the step
         double share = 1;           ///< of the motion of the step that is in contact
+        std::array<Vector3, 3> normal_by_position_1_m{};
     };
     [[nodiscard]] std::span<const Point> points(std::size_t facet) const;
 

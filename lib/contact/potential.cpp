@@ -55,15 +55,16 @@ public:
         return all;
     }
 
-    /// Contact of one facet, whose near facets are among `others`.
-    void add(const ContactState& at, std::size_t i, std::span<const std::size_t> others, Summary& summary,
-             const std::function<void(const Block&)>& to) {
+    /// Contact of one facet, whose near facets are among `others`. Returns the pressures of its sample points, none if nothing is near.
+    std::vector<double> add(const ContactState& at, std::size_t i, std::span<const std::size_t> others,
+                            Summary& summary, const std::function<void(const Block&)>& to) {
         std::vector<std::size_t> near;
         for (const std::size_t j : others)
             if (separations.clearance_m(i, j, at.patches) <= 0) near.push_back(j);
         FacetContact facet(at, i, near, summary);
         facet.add(to);
         for (std::size_t k = 0; k < near.size(); ++k) separations.set(i, near[k], facet.clearances_m()[k], at.patches);
+        return facet.pressures_Pa();
     }
 
     [[nodiscard]] double share_without_crossing(std::span<const Patch> from, std::span<const Vector3> shifts,
@@ -155,9 +156,35 @@ Summary Potential::evaluate(std::span<const Point> positions, std::span<const Ve
     const auto others = parts_->candidates.between(patches, patches);
     const ContactState at{parts_->surface, patches, parts_->smooth, shifts, wanted, parts_->friction};
     for (std::size_t i = 0; i < parts_->surface.free_count(); ++i)
-        if (take(parts_->surface.entries()[i].facet.cell)) parts_->add(at, i, others[i], summary, add);
+        if (take(parts_->surface.entries()[i].facet.cell))
+            static_cast<void>(parts_->add(at, i, others[i], summary, add));
     summary.dissipated_J += parts_->friction.dissipated_before_J();
     return summary;
+}
+
+std::vector<double> Potential::nodal_pressures_Pa(std::span<const Point> positions, std::span<const Vector3> shifts) {
+    std::vector<double> nodal_Pa(positions.size());
+    if (is_empty()) return nodal_Pa;
+    const auto patches = parts_->surface.patches(positions, shifts);
+    const auto others = parts_->candidates.between(patches, patches);
+    const ContactState at{parts_->surface, patches, parts_->smooth, shifts, Wanted::gradient, parts_->friction};
+    Summary summary(parts_->obstacles);
+    for (std::size_t i = 0; i < parts_->surface.free_count(); ++i) {
+        const auto& entry = parts_->surface.entries()[i];
+        const auto pressures_Pa = parts_->add(at, i, others[i], summary, [](const Block&) {});
+        const std::size_t nodes = entry.nodes.size();
+        for (std::size_t a = 0; a < nodes; ++a) {
+            double sum = 0, weights = 0;
+            for (std::size_t q = 0; q < pressures_Pa.size(); ++q) {
+                const double N = entry.rule->N[q * nodes + a], weight = entry.weight_m2[q] * N * N;
+                sum += weight * pressures_Pa[q];
+                weights += weight;
+            }
+            double& value_Pa = nodal_Pa[static_cast<std::size_t>(entry.nodes[a])];
+            if (weights > 0) value_Pa = std::max(value_Pa, sum / weights);
+        }
+    }
+    return nodal_Pa;
 }
 
 bool Potential::has_friction() const { return !is_empty() && !parts_->friction.is_empty(); }

@@ -12,7 +12,7 @@
 /// A symmetry plane, and the axis r = 0, is an obstacle without friction: a body touches its mirror image at the plane.
 /// Friction (friction.hpp) acts where a coefficient is positive. Its forces have no potential: the Hessian of a block is then their derivative,
 /// which is not symmetric, and E contains what friction stores.
-/// Two sides of one wall, and facets that share a node and are visible from one side (Volino), do not act on each other.
+/// Two sides of one wall or cell, and facets that share a node and are visible from one side (Volino), do not act on each other.
 /// Derived here; the idea of the potential: Li et al. 2020 (barrier.hpp), on curved facets as in M. Ferguson et al., High-order
 /// incremental potential contact, SIGGRAPH 2023. Tested by contact/potential_test and the verification suite (group Contact).
 #include <functional>
@@ -75,6 +75,11 @@ public:
     /// are summed. Blocks come in a fixed order.
     Summary evaluate(std::span<const mesh::Point> positions, std::span<const Vector3> shifts, Wanted wanted,
                      const Take& take, const std::function<void(const Block&)>& add);
+
+    /// Contact pressure at the mesh points, 0 where nothing touches: means over the sample points of a facet, weighted with the square of
+    /// the node's shape function, and of them the largest of the facets at the node (at an edge only one of them may touch).
+    [[nodiscard]] std::vector<double> nodal_pressures_Pa(std::span<const mesh::Point> positions,
+                                                         std::span<const Vector3> shifts);
 
     [[nodiscard]] bool has_friction() const;
     /// Starts a step at this configuration. False if a slip is not that of a sample point.

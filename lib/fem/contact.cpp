@@ -184,10 +184,4 @@ bool Contact::couple() {
     return changes;
 }
 
-std::vector<double> young_moduli_Pa(const Discretization& fe) {
-    std::vector<double> moduli;
-    for (const auto& rubber : fe.rubbers) moduli.push_back(3 * material::initial_shear_modulus_Pa(rubber));
-    return moduli;
-}
-
 }  // namespace soft::fem

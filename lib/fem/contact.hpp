@@ -67,7 +67,4 @@ private:
     std::vector<std::vector<PetscInt>> couplings_;
 };
 
-/// Young's modulus of each region without strain, for the stiffness of the contact.
-[[nodiscard]] std::vector<double> young_moduli_Pa(const Discretization& fe);
-
 }  // namespace soft::fem

@@ -6,6 +6,7 @@
 
 #include "linalg/profile.hpp"
 #include "math/tensor.hpp"
+#include "mesh/quality.hpp"
 
 namespace soft::fem {
 
@@ -141,6 +142,24 @@ StretchSummary Fields::stretches(Vec x) {
     summary.largest = samples.front().stretch;
     summary.p99 = percentile_99(samples);
     return summary;
+}
+
+mesh::Index Fields::inverted_at_a_node(Vec x) const {
+    const auto displacement_m = gather(x).displacement_m;
+    mesh::Index found = -1;
+    if (fe_.rank == 0) {
+        mesh::Mesh mesh = fe_.input.mesh;
+        for (std::size_t i = 0; i < displacement_m.size(); ++i) mesh.points[i / 3][i % 3] += displacement_m[i];
+        double worst = 0;
+        for (mesh::Index cell = 0; cell < mesh.cell_count(); ++cell) {
+            const double value = mesh::scaled_jacobian(mesh, cell, mesh::node_shapes(mesh.cell_type(cell))).value;
+            if (value >= worst) continue;
+            worst = value;
+            found = cell;
+        }
+    }
+    MPI_Bcast(&found, 1, MPI_INT64_T, 0, fe_.comm);
+    return found;
 }
 
 NodalFields Fields::gather(Vec x) const {

@@ -35,6 +35,9 @@ public:
     [[nodiscard]] double stored_energy(Vec x);
     [[nodiscard]] StretchSummary stretches(Vec x);
 
+    /// The cell that is inverted most at one of its nodes, where no quadrature point is; -1 if none.
+    [[nodiscard]] mesh::Index inverted_at_a_node(Vec x) const;
+
     /// On rank 0; empty elsewhere.
     [[nodiscard]] NodalFields gather(Vec x) const;
     /// The reverse: sets the displacement unknowns of x to the values of a nodal field [point x 3], which rank 0 provides;

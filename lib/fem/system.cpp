@@ -3,12 +3,13 @@
 #include <algorithm>
 
 #include "fem/pattern.hpp"
+#include "model/rubber.hpp"
 
 namespace soft::fem {
 
 System::System(const model::Case& input, MPI_Comm comm)
     : fe_(input, comm),
-      potential_(input, young_moduli_Pa(fe_)),
+      potential_(input, model::young_moduli_Pa(input)),
       state_(fe_, potential_.is_empty() ? std::span<const mesh::Index>{} : potential_.nodes()),
       loads_(fe_),
       contact_(fe_, state_, potential_),

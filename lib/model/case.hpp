@@ -186,7 +186,7 @@ struct PathSettings {
     Branch branch = Branch::stay;  ///< follow: switch to the other branch at the first bifurcation of the path
     double imperfection_m = 1e-4;  ///< perturbation used to switch branches: maximum displacement of the scaled mode
     /// Behaviour where walls of the actuator touch each other. Obstacles are always respected.
-    Contact contact = Contact::stop;
+    Contact contact = Contact::solve;
     double stretch_limit = 10;  ///< stretch_p99 beyond which a load that cannot be reached is abandoned
     int frequencies = 0;        ///< number of natural frequencies of each row of a static path, at most max_frequencies
 };

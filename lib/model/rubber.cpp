@@ -1,5 +1,6 @@
 #include "model/rubber.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -43,6 +44,14 @@ material::AnyRubber make_rubber(const Material& material) {
                                                .fiber_frame = material.fiber_frame,
                                                .fibers = material.fibers});
     return material.strain == Strain::small ? small_strain(rubber, material.bulk_modulus_Pa) : rubber;
+}
+
+std::vector<double> young_moduli_Pa(const Case& model) {
+    std::vector<double> moduli;
+    for (const auto& region : model.mesh.region_names)
+        moduli.push_back(3 * material::initial_shear_modulus_Pa(
+                                 make_rubber(*std::ranges::find(model.materials, region, &Material::name))));
+    return moduli;
 }
 
 std::string explain_incompatibility(const Material& material, Kinematics kinematics,

@@ -10,6 +10,9 @@ namespace soft::model {
 /// for a law without a linear form.
 [[nodiscard]] material::AnyRubber make_rubber(const Material& material);
 
+/// Young's modulus of each region of the mesh without strain, for the stiffness of the contact.
+[[nodiscard]] std::vector<double> young_moduli_Pa(const Case& model);
+
 /// Reason why a case with these kinematics and symmetry planes cannot represent the material ("problem; remedy"); empty if it can.
 /// A single family of inclined fibres twists a tube: an axisymmetric section has no twist, and the fibres have no mirror symmetry.
 [[nodiscard]] std::string explain_incompatibility(const Material& material, Kinematics kinematics,

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "post/quantity.hpp"
+
 namespace soft::post {
 
 namespace {
@@ -59,6 +61,9 @@ std::vector<NamedArray> state_arrays(const model::Case& model, std::span<const L
 std::vector<NamedArray> node_arrays(const model::Case& model, const RegionPoints& region_points,
                                     const NodalState& state, const StepFields& fields) {
     std::vector<NamedArray> arrays{displacements(region_points, state)};
+    if (is_available(Quantity::contact_pressure, model))
+        arrays.push_back({"contact_pressure_Pa", "Pa", std::string{info(Quantity::contact_pressure).meaning}, 1,
+                          nodal_values(Quantity::contact_pressure, model, region_points, state, fields)});
     for (NamedArray& array : state_arrays(model, fields.nodes)) arrays.push_back(std::move(array));
     return arrays;
 }

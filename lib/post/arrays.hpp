@@ -13,7 +13,7 @@ namespace soft::post {
 /// case have an energy. One entry per state.
 [[nodiscard]] std::vector<model::NamedArray> state_arrays(const model::Case& model, std::span<const LocalState> states);
 
-/// displacement_m at the region points, then state_arrays of the nodal states.
+/// displacement_m at the region points, then contact_pressure_Pa if something can touch, then state_arrays of the nodal states.
 [[nodiscard]] std::vector<model::NamedArray> node_arrays(const model::Case& model, const RegionPoints& region_points,
                                                          const NodalState& state, const StepFields& fields);
 

@@ -7,12 +7,13 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "post/contact_pressure.hpp"
 
 namespace soft::post {
 
 namespace {
 
-constexpr std::array<QuantityInfo, 6> table{{
+constexpr std::array<QuantityInfo, 7> table{{
     {Quantity::stretch, "stretch", "largest principal stretch", "", 1.0,
      "ratio of current to undeformed length in the direction where it is largest"},
     {Quantity::von_mises, "von-mises", "von Mises stress", "kPa", 1e3,
@@ -22,6 +23,8 @@ constexpr std::array<QuantityInfo, 6> table{{
     {Quantity::displacement, "displacement", "displacement", "mm", 1e-3, "magnitude of the displacement vector"},
     {Quantity::energy, "energy", "energy density", "kJ/m^3", 1e3, "stored energy per undeformed volume"},
     {Quantity::jacobian, "J", "volume ratio J", "", 1.0, "ratio of current to undeformed volume"},
+    {Quantity::contact_pressure, "contact-pressure", "contact pressure", "kPa", 1e3,
+     "force per deformed area of surfaces that touch each other or an obstacle"},
 }};
 
 double value_of(Quantity quantity, const LocalState& state) {
@@ -31,7 +34,8 @@ double value_of(Quantity quantity, const LocalState& state) {
         case Quantity::pressure: return pressure_Pa(state.cauchy_Pa);
         case Quantity::energy: return state.energy_J_m3;
         case Quantity::jacobian: return state.jacobian;
-        case Quantity::displacement: break;  // not part of LocalState; see nodal_values
+        case Quantity::displacement:
+        case Quantity::contact_pressure: break;  // not part of LocalState; see nodal_values
     }
     return 0.0;
 }
@@ -52,15 +56,24 @@ Quantity quantity_from_name(std::string_view name) {
 }
 
 bool is_available(Quantity quantity, const model::Case& model) {
+    if (quantity == Quantity::contact_pressure) return has_contact(model);
     return quantity != Quantity::energy || has_energy(model);
 }
 
 std::vector<double> nodal_values(Quantity quantity, const model::Case& model, const RegionPoints& region_points,
                                  const NodalState& state, const StepFields& fields) {
     if (!is_available(quantity, model))
-        throw Error(ExitCode::bad_input, "--field", "a material law of this case has no energy function",
+        throw Error(ExitCode::bad_input, "--field",
+                    quantity == Quantity::energy ? "a material law of this case has no energy function"
+                                                 : "this case has no obstacles, and path.contact is not solve",
                     "choose another field");
     std::vector<double> values(region_points.size());
+    if (quantity == Quantity::contact_pressure) {
+        const auto pressures_Pa = contact_pressures_Pa(model, state);
+        for (std::size_t k = 0; k < values.size(); ++k)
+            values[k] = pressures_Pa[static_cast<std::size_t>(region_points.node[k])];
+        return values;
+    }
     for (std::size_t k = 0; k < values.size(); ++k) {
         const double* u = &state.displacement_m[3 * static_cast<std::size_t>(region_points.node[k])];
         values[k] =

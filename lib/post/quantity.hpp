@@ -9,7 +9,7 @@
 
 namespace soft::post {
 
-enum class Quantity { stretch, von_mises, pressure, displacement, energy, jacobian };
+enum class Quantity { stretch, von_mises, pressure, displacement, energy, jacobian, contact_pressure };
 
 struct QuantityInfo {
     Quantity quantity;
@@ -26,7 +26,7 @@ struct QuantityInfo {
 /// Throws Error(usage, location "--field") for an unknown name.
 [[nodiscard]] Quantity quantity_from_name(std::string_view name);
 
-/// Whether the case has the quantity: energy requires that all laws have an energy function.
+/// Whether the case has the quantity: energy requires that all laws have an energy function, contact pressure that something can touch.
 [[nodiscard]] bool is_available(Quantity quantity, const model::Case& model);
 
 /// SI values, one per region point. Throws Error(bad_input, location "--field") for a quantity that the case does not have.

@@ -27,6 +27,7 @@ namespace soft::post {
 struct NodalState {
     std::span<const double> displacement_m;  ///< [point, 3]
     std::span<const double> pressure_Pa;     ///< [point], the pressure unknown; empty if the formulation has none
+    std::vector<Vector3> shifts = {};        ///< displacement of each obstacle (post/contact_pressure.hpp)
 };
 
 struct StepFields {

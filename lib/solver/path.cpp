@@ -103,7 +103,7 @@ void PathFollower::start() {
 
 /// One step of the path: predict, correct, check; events; record; adapt.
 void PathFollower::step() {
-    if (auto stop = stop_before_step(path_, input_)) return finish(std::move(*stop));
+    if (auto stop = stop_before_step(path_, system_)) return finish(std::move(*stop));
     if (path_.rows > last_row_of_stage(path_, input_)) return end_stage("number of steps");
 
     corrector_.newton().couple_contact(path_.last->state);
@@ -267,7 +267,7 @@ void PathFollower::recover() {
         return finish({crossing->reason, crossing->text + " at " + describe(*path_.last) +
                                              ", and the contact is not resolved; use smaller cells there (mesh.size)"});
     listeners_.report("no step converges: use smaller cells (mesh.size)");
-    finish(stop_without_step(path_, input_, attempt));
+    finish(stop_without_step(path_, system_, attempt));
 }
 
 void PathFollower::go_on_from(PathPoint point) {

@@ -22,6 +22,7 @@ constexpr double far_beyond = 10.0, min_power = 0.5, reachable = 0.5, growth_for
 /// det F below which a cell counts as nearly inverted.
 constexpr double nearly_inverted = 0.05;
 
+constexpr const char* remedy = "; use smaller cells there (mesh.size)";
 constexpr const char* end_earlier = "; set path.until to end the path earlier, or request a smaller load";
 
 bool is_past_limit_point(const PathState& path) {
@@ -67,6 +68,16 @@ std::string return_text(const PathState& path, const std::string& here) {
            ", " + here;
 }
 
+/// The last row, in which a cell is inverted at a node although not at its quadrature points.
+std::optional<Stop> inverted_stop(const PathState& path, fem::System& system) {
+    system.prescribe(path.last->levels);
+    const mesh::Index cell = system.fields().inverted_at_a_node(path.last->state.x);
+    if (cell < 0) return std::nullopt;
+    return Stop{StopReason::inverted_element, "an element is inverted at a node " +
+                                                  location_text(cell, system.input()) + " at " +
+                                                  state_text(*path.last, system.input()) + remedy};
+}
+
 }  // namespace
 
 Error start_error(NewtonEnd end, const std::string& problem) {
@@ -81,7 +92,8 @@ Error start_error(NewtonEnd end, const std::string& problem) {
     return Error(ExitCode::bad_input, "materials", problem, "check the moduli of the materials");
 }
 
-std::optional<Stop> stop_before_step(const PathState& path, const model::Case& input) {
+std::optional<Stop> stop_before_step(const PathState& path, fem::System& system) {
+    const model::Case& input = system.input();
     const int limit = input.solver.step_limit;
     if (path.rows > limit)
         return Stop{StopReason::step_limit, core::counted(limit, "step") + (limit == 1 ? " was" : " were") +
@@ -93,6 +105,7 @@ std::optional<Stop> stop_before_step(const PathState& path, const model::Case& i
         return Stop{
             StopReason::limit_point,
             "the requested load is not reached: the path is past the limit point and stalls" + where + end_earlier};
+    if (auto inverted = inverted_stop(path, system)) return inverted;
     return Stop{StopReason::diverged, "the path stalls" + where + "; try another mesh.size"};
 }
 
@@ -114,22 +127,25 @@ std::optional<Stop> stop_at_row(const PathState& path, const model::Case& input)
 
 bool is_nearly_inverted(const NewtonResult& attempt) { return attempt.min_jacobian < nearly_inverted; }
 
-Stop stop_without_step(const PathState& path, const model::Case& input, const NewtonResult& attempt) {
+Stop stop_without_step(const PathState& path, fem::System& system, const NewtonResult& attempt) {
+    const model::Case& input = system.input();
     const std::string location = location_text(attempt.worst_cell, input), here = state_text(*path.last, input);
     const std::string det = "det F = " + short_text(attempt.min_jacobian);
-    const char* remedy = "; use smaller cells there (mesh.size)";
     if (attempt.end == NewtonEnd::inverted)
         return {StopReason::inverted_element, "an element inverted (" + det + ") " + location + remedy};
     if (is_nearly_inverted(attempt))
         return {StopReason::inverted_element,
                 "an element is nearly inverted (" + det + ") " + location + " at " + here + remedy};
-    const std::string problem = "no equilibrium found beyond " + here;
+    if (auto inverted = inverted_stop(path, system)) return std::move(*inverted);
+    const bool touches = path.last->touches;
+    const std::string problem = "no equilibrium found beyond " + here + (touches ? ", where surfaces touch" : "");
     if (is_past_limit_point(path))
         return {StopReason::limit_point,
                 "the requested load is not reached: the path is past the limit point, and " + problem + end_earlier};
     if (attempt.end == NewtonEnd::linear_solver) return {StopReason::diverged, problem + ": " + linear_remedy};
     return {StopReason::diverged, problem + " (" + std::string(text_of(attempt.end)) + "); the largest distortion is " +
-                                      location + ", " + det + "; try smaller cells there (mesh.size)"};
+                                      location + ", " + det + "; try smaller cells there (mesh.size)" +
+                                      (touches ? ", or a contact.distance of 0.05" : "")};
 }
 
 }  // namespace soft::solver

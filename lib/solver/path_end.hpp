@@ -15,7 +15,7 @@ inline constexpr const char* linear_remedy =
 /// shorter than `stalled_length` of the whole path.
 inline constexpr std::size_t stalled_rows = 150;
 inline constexpr double stalled_length = 0.01;
-[[nodiscard]] std::optional<Stop> stop_before_step(const PathState& path, const model::Case& input);
+[[nodiscard]] std::optional<Stop> stop_before_step(const PathState& path, fem::System& system);
 
 /// At a new row: the path has returned to states it has passed, or its goal is out of reach.
 [[nodiscard]] std::optional<Stop> stop_at_row(const PathState& path, const model::Case& input);
@@ -24,6 +24,6 @@ inline constexpr double stalled_length = 0.01;
 [[nodiscard]] bool is_nearly_inverted(const NewtonResult& attempt);
 
 /// After failed steps, with the location where smaller cells would help.
-[[nodiscard]] Stop stop_without_step(const PathState& path, const model::Case& input, const NewtonResult& attempt);
+[[nodiscard]] Stop stop_without_step(const PathState& path, fem::System& system, const NewtonResult& attempt);
 
 }  // namespace soft::solver

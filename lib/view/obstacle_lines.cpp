@@ -169,43 +169,23 @@ std::vector<Vector3> images(const model::Case& model, Extent extent) {
 
 }  // namespace
 
-std::vector<Line> obstacle_lines(const model::Case& model, std::span<const Vector3> shifts, const Window& window,
-                                 Extent extent) {
+std::vector<Line> obstacle_lines(const model::Case& model, const model::Obstacle& obstacle, const Vector3& shift,
+                                 const Window& window, Extent extent) {
     const Point middle = along(along({}, 0.5, window.low), 0.5, window.high);
-    const double half = 0.5 * norm(difference(window.high, window.low));
+    const Frame at{difference(middle, shift), 0.5 * norm(difference(window.high, window.low))};
     const bool solid = model.kinematics == model::Kinematics::solid,
                revolved = model.kinematics == model::Kinematics::axisymmetric;
+    std::vector<Curve> curves = std::visit(
+        [&](const auto& shape) {
+            return solid ? InSpace{at}(shape) : InSection{at, revolved}(shape);
+        },
+        obstacle.shape);
+    for (Curve& curve : curves)
+        for (Point& p : curve) p = along(p, 1, shift);
+    if (revolved && extent != Extent::flat) curves = revolve(curves);
     std::vector<Line> lines;
-    for (std::size_t k = 0; k < model.obstacles.size(); ++k) {
-        const Frame at{difference(middle, shifts[k]), half};
-        std::vector<Curve> curves = std::visit(
-            [&](const auto& shape) {
-                return solid ? InSpace{at}(shape) : InSection{at, revolved}(shape);
-            },
-            model.obstacles[k].shape);
-        for (Curve& curve : curves)
-            for (Point& p : curve) p = along(p, 1, shifts[k]);
-        if (revolved && extent != Extent::flat) curves = revolve(curves);
-        for (const Vector3& signs : images(model, extent)) add_inside(lines, curves, signs, window);
-    }
+    for (const Vector3& signs : images(model, extent)) add_inside(lines, curves, signs, window);
     return lines;
-}
-
-std::vector<Vector3> obstacle_shifts(const model::Case& model, int stage, double load_factor,
-                                     std::span<const double> reached) {
-    std::vector<double> levels(model.motions.size(), 0.0);
-    for (int s = 0; s <= stage; ++s) {
-        const double share = s == stage ? load_factor : reached[static_cast<std::size_t>(s)];
-        const auto& ends = model.path.stages.at(static_cast<std::size_t>(s)).motions;
-        for (std::size_t i = 0; i < levels.size(); ++i) levels[i] += share * (ends.at(i) - levels[i]);
-    }
-    std::vector<Vector3> shifts(model.obstacles.size());
-    for (std::size_t k = 0; k < shifts.size(); ++k)
-        for (std::size_t i = 0; i < levels.size(); ++i)
-            if (model.motions[i].face == model.obstacles[k].name)
-                for (std::size_t d = 0; d < 3; ++d)
-                    shifts[k][d] += levels[i] * model.motions[i].displacement_m[d].value_or(0);
-    return shifts;
 }
 
 }  // namespace soft::view

@@ -3,7 +3,6 @@
 /// faceted surfaces. An obstacle of a section of revolution is revolved unless the section itself is drawn. Used by view/picture.hpp.
 /// Tested by view/obstacle_lines_test.
 #include <array>
-#include <span>
 #include <vector>
 
 #include "model/case.hpp"
@@ -18,12 +17,8 @@ struct Window {
 
 using Line = std::array<Point, 2>;
 
-/// The lines inside the window, as short segments. `shifts`: displacement of each obstacle. Obstacles are mirrored with the actuator.
-[[nodiscard]] std::vector<Line> obstacle_lines(const model::Case& model, std::span<const Vector3> shifts,
-                                               const Window& window, Extent extent);
-
-/// Displacement of each obstacle at a row of a static path. `reached`: load factor at the end of each stage before that of the row.
-[[nodiscard]] std::vector<Vector3> obstacle_shifts(const model::Case& model, int stage, double load_factor,
-                                                   std::span<const double> reached);
+/// The lines of an obstacle inside the window, as short segments, displaced by `shift`. Obstacles are mirrored with the actuator.
+[[nodiscard]] std::vector<Line> obstacle_lines(const model::Case& model, const model::Obstacle& obstacle,
+                                               const Vector3& shift, const Window& window, Extent extent);
 
 }  // namespace soft::view

@@ -122,10 +122,12 @@ void draw_outline(Raster& raster, const Body& body, const Framing& frame) {
 void draw_obstacles(Raster& raster, const Body& body, const Framing& frame, const Shot& shot) {
     if (body.model == nullptr || body.model->obstacles.empty()) return;
     std::vector<Segment> lines;
-    for (const Line& line : obstacle_lines(*body.model, shot.shifts, frame.space, body.extent)) {
-        const auto at = in_raster(frame, line);
-        lines.push_back({at[0], at[1]});
-    }
+    for (std::size_t k = 0; k < shot.shifts.size(); ++k)
+        for (const Line& line :
+             obstacle_lines(*body.model, body.model->obstacles[k], shot.shifts[k], frame.space, body.extent)) {
+            const auto at = in_raster(frame, line);
+            lines.push_back({at[0], at[1]});
+        }
     raster.lines(lines, {.colour = {0.1, 0.3, 0.65}, .width = 1.2 * oversampling, .in_front = 0.7, .behind = 0.15});
 }
 

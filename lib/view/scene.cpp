@@ -9,9 +9,11 @@
 
 #include "core/hash.hpp"
 #include "core/text.hpp"
+#include "post/contact_pressure.hpp"
 #include "post/quantity.hpp"
 #include "post/region_points.hpp"
 #include "post/step_fields.hpp"
+#include "view/obstacle_lines.hpp"
 #include "view/palette.hpp"
 #include "view/skin.hpp"
 #include "view/text.hpp"
@@ -20,8 +22,9 @@ namespace soft::view {
 namespace {
 
 constexpr double mm_per_m = 1e3;
-constexpr double outliers = 0.01;  // fraction of the values at each end that is outside the colour range
-constexpr int sectors = 48;        // per full turn: chords deviate by 0.2 % of the radius from the circle
+constexpr double outliers = 0.01;      // fraction of the values at each end that is outside the colour range
+constexpr double space_around = 0.08;  // the body, over its diagonal, in which obstacles are drawn
+constexpr int sectors = 48;            // per full turn: chords deviate by 0.2 % of the radius from the circle
 
 template <class T>
 std::string packed(const std::vector<T>& values) {
@@ -52,6 +55,7 @@ struct Motion {
     std::vector<view::Point> positions_m;  ///< [frame][base]
     std::vector<view::Point> undeformed_m;
     std::vector<Field> fields;
+    std::vector<std::vector<Vector3>> shifts_m;  ///< [frame][obstacle]
 };
 
 std::vector<const post::QuantityInfo*> available(const model::Case& model) {
@@ -93,7 +97,9 @@ Motion follow(const io::Result& result, const view::Skin& skin, const post::Regi
     motion.undeformed_m = view::base_positions(skin, result.model, region_points, {});
     for (const std::int64_t step : motion.steps) {
         const io::FieldReader::Values values = result.fields.read(step).value();
-        const post::NodalState state{values.displacement_m, values.pressure_Pa};
+        const post::NodalState state{values.displacement_m, values.pressure_Pa,
+                                     post::obstacle_shifts(result.model, result.steps, static_cast<std::size_t>(step))};
+        motion.shifts_m.push_back(state.shifts);
         const post::StepFields local = post::step_fields(result.model, region_points, state);
         const auto bases = view::base_positions(skin, result.model, region_points, values.displacement_m);
         motion.positions_m.insert(motion.positions_m.end(), bases.begin(), bases.end());
@@ -103,6 +109,10 @@ Motion follow(const io::Result& result, const view::Skin& skin, const post::Regi
                 field.values.push_back(value / field.info->SI_per_unit);
         }
     }
+    std::erase_if(motion.fields, [](const Field& field) {  // nothing touches
+        return field.info->quantity == post::Quantity::contact_pressure &&
+               std::ranges::none_of(field.values, [](double value) { return value > 0; });
+    });
     return motion;
 }
 
@@ -169,9 +179,31 @@ void add_ranges(nlohmann::ordered_json& json, const char* low, const char* high,
     }
 }
 
-/// Adds the positions and the window that contains the body with its mirror images in all frames.
-void add_positions(nlohmann::ordered_json& json, const view::Skin& skin, const Motion& motion,
-                   std::span<const std::array<double, 3>> mirrors) {
+/// Adds the lines of each obstacle where it is in the undeformed state, and its displacements [frame].
+void add_obstacles(nlohmann::ordered_json& json, const model::Case& model, const Motion& motion,
+                   const std::array<Range, 3>& body) {
+    Window window;
+    double diagonal = 0;
+    for (std::size_t i = 0; i < 3; ++i) diagonal = std::hypot(diagonal, body[i].high - body[i].low);
+    for (std::size_t i = 0; i < 3; ++i) {
+        window.low[i] = body[i].low - space_around * diagonal;
+        window.high[i] = body[i].high + space_around * diagonal;
+    }
+    for (std::size_t k = 0; k < model.obstacles.size(); ++k) {
+        std::vector<float> ends;
+        nlohmann::ordered_json shifts;
+        for (const auto& frame : motion.shifts_m)
+            shifts.push_back({mm_per_m * frame[k][0], mm_per_m * frame[k][1], mm_per_m * frame[k][2]});
+        for (const Line& line : obstacle_lines(model, model.obstacles[k], {}, window, Extent::modelled))
+            for (const Point& end : line)
+                for (const double x : end) ends.push_back(static_cast<float>(mm_per_m * x));
+        json["obstacles"].push_back({{"lines", packed(ends)}, {"shifts", shifts}});
+    }
+}
+
+/// Adds the positions and the window that contains the body with its mirror images in all frames. Returns the window.
+std::array<Range, 3> add_positions(nlohmann::ordered_json& json, const view::Skin& skin, const Motion& motion,
+                                   std::span<const std::array<double, 3>> mirrors) {
     std::array<Range, 3> bases, window;
     const auto include = [](std::array<Range, 3>& ranges, const view::Point& point) {
         for (std::size_t i = 0; i < 3; ++i) ranges[i].include(point[i]);
@@ -188,6 +220,7 @@ void add_positions(nlohmann::ordered_json& json, const view::Skin& skin, const M
     add_ranges(json, "window_low", "window_high", window);
     json["positions"] = packed(shares(motion.positions_m, bases));
     json["undeformed"] = packed(shares(motion.undeformed_m, bases));
+    return window;
 }
 
 void add_skin(nlohmann::ordered_json& json, const view::Skin& skin) {
@@ -231,7 +264,7 @@ Scene make_scene(const io::Result& result, const post::Curve& curve, std::size_t
         json["frames"].push_back({{"step", step}, {"label", frame_label(curve, static_cast<std::size_t>(step))}});
     add_skin(json, skin);
     json["mirrors"] = mirrors(result.model);
-    add_positions(json, skin, motion, mirrors(result.model));
+    add_obstacles(json, result.model, motion, add_positions(json, skin, motion, mirrors(result.model)));
     for (const Field& field : motion.fields) json["fields"].push_back(field_json(field));
     return {json_in_page(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)), motion.steps.size(),
             stored.size()};

@@ -66,7 +66,7 @@ struct Skin {
 [[nodiscard]] std::vector<Point> base_positions(const Skin& skin, const model::Case& model,
                                                 const post::RegionPoints& region_points,
                                                 std::span<const double> displacement_m);
-/// A field over the region points at the bases.
+/// A field over the region points at the bases; one that is nowhere negative stays so between the nodes.
 [[nodiscard]] std::vector<double> base_values(const Skin& skin, std::span<const double> nodal);
 
 /// Applies the placements to the bases: one position per vertex.

@@ -1,4 +1,6 @@
 /// Positions and values of the bases and vertices of a skin at a step.
+#include <algorithm>
+
 #include "view/skin.hpp"
 
 namespace soft::view {
@@ -24,6 +26,9 @@ std::vector<double> base_values(const Skin& skin, std::span<const double> nodal)
         for (auto k = static_cast<std::size_t>(skin.first_source[b]);
              k < static_cast<std::size_t>(skin.first_source[b + 1]); ++k)
             values[b] += skin.weights[k] * nodal[static_cast<std::size_t>(skin.sources[k])];
+    const bool positive = std::ranges::all_of(nodal, [](double value) { return value >= 0; });
+    if (positive)
+        for (double& value : values) value = std::max(value, 0.0);
     return values;
 }
 

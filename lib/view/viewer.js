@@ -13,6 +13,7 @@ const byId = (id) => document.getElementById(id);
 const bytesOf = (base64) => Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
 const uint16 = (base64) => new Uint16Array(bytesOf(base64).buffer);
 const uint32 = (base64) => new Uint32Array(bytesOf(base64).buffer);
+const float32 = (base64) => new Float32Array(bytesOf(base64).buffer);
 
 function readScene() {
   const scene = JSON.parse(byId('scene').textContent);
@@ -152,6 +153,17 @@ function makeBody(scene) {
     return line;
   });
 
+  const obstacles = (scene.obstacles ?? []).flatMap((obstacle) => {
+    const ends = new BufferGeometry();
+    ends.setAttribute('position', new BufferAttribute(float32(obstacle.lines), 3));
+    return scene.mirrors.map((signs) => {
+      const line = new LineSegments(ends, new LineBasicMaterial({ color: 0x1a4da6, transparent: true, opacity: 0.55 }));
+      line.scale.set(...signs);
+      line.userData.shifts = obstacle.shifts.map((shift) => shift.map((x, axis) => x * signs[axis]));
+      return line;
+    });
+  });
+
   // Vertices on a symmetry plane: the surface continues beyond it and is perpendicular to it, except facets in the plane (the cut).
   const size = surface.undeformed.reduce((most, x) => Math.max(most, Math.abs(x)), 0);
   const onPlane = [0, 1, 2].map((axis) => {
@@ -183,9 +195,10 @@ function makeBody(scene) {
     geometry.attributes.position.needsUpdate = geometry.attributes.uv.needsUpdate = true;
     geometry.computeVertexNormals();
     smoothAcrossPlanes();
+    for (const line of obstacles) line.position.set(...line.userData.shifts[frame]);
     return new Box3().setFromBufferAttribute(geometry.attributes.position);
   }
-  return { surfaces, lines, show };
+  return { surfaces, lines, obstacles, show };
 }
 
 // Direction towards the eye, as for --view iso of the pictures.
@@ -214,7 +227,7 @@ function start() {
   const light = new DirectionalLight(0xffffff, 1.6);
   light.position.set(-0.4, 0.6, 1);
   camera.add(light);
-  world.add(...body.surfaces, ...body.lines, camera, new AmbientLight(0xffffff, 1.6));
+  world.add(...body.surfaces, ...body.lines, ...body.obstacles, camera, new AmbientLight(0xffffff, 1.6));
 
   const controls = new OrbitControls(camera, canvas);
   const render = () => renderer.render(world, camera);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/distance.hpp"
 #include "core/text.hpp"
+#include "shape_checks.hpp"
 
 namespace soft::campaign {
 namespace {
@@ -16,6 +18,8 @@ constexpr double motion_tolerance = 1e-6;
 /// Strain below which a response is linear; largest number of rows that it may take, with steps growing from a fiftieth of the load.
 constexpr double tiny_strain = 1e-6;
 constexpr std::size_t max_linear_rows = 8;
+/// Depth of a node inside an obstacle that is rounding, over the size of the part.
+constexpr double inside_share = 1e-9;
 
 std::string text_of(double value) { return core::rounded_text(value, 4); }
 
@@ -24,7 +28,8 @@ std::string energies(std::span<const Step> rows) {
     for (const Step& step : rows) {
         if (!step.energies || !rows.front().energies) return "";  // a law without a strain energy
         const double work = step.energies->load_work_J - rows.front().energies->load_work_J,
-                     stored = step.energies->stored_J - rows.front().energies->stored_J;
+                     stored = step.energies->stored_J - rows.front().energies->stored_J +
+                              step.energies->dissipated_J.value_or(0) + step.energies->friction_J.value_or(0);
         gap = std::max(gap, std::abs(work - stored));
         largest = std::max({largest, std::abs(work), std::abs(stored)});
     }
@@ -53,6 +58,30 @@ std::string motions(const io::Result& result) {
     return "";
 }
 
+std::string walls(const io::Result& result) {
+    const model::Case& model = result.model;
+    const auto last = result.fields.read(static_cast<std::int64_t>(result.steps.size()) - 1);
+    if (!last || model.path.contact != model::Contact::solve) return "";
+    const auto& u = last->displacement_m;
+    for (std::size_t n = 0; n < model.mesh.points.size(); ++n) {
+        mesh::Point x = model.mesh.points[n];
+        for (std::size_t d = 0; d < 3; ++d) x[d] += u[3 * n + d];
+        for (const model::Obstacle& obstacle : model.obstacles) {
+            const double distance_m = std::visit(
+                [&](const auto& shape) {
+                    if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, model::FacetedSurface>)
+                        return 0.0;
+                    else
+                        return contact::distance(shape, x).value_m;
+                },
+                obstacle.shape);
+            if (distance_m < -inside_share * mesh::extent_m(model.mesh))
+                return "a node is " + text_of(-1e3 * distance_m) + " mm inside the obstacle " + obstacle.name;
+        }
+    }
+    return ShapeChecks{model}.contact(u, u);
+}
+
 std::string tiny_loads(std::span<const Step> rows, model::StopReason end) {
     const auto is_tiny = [](const Step& step) {
         return step.max_stretch < 1 + tiny_strain && step.min_jacobian > 1 - tiny_strain;
@@ -74,7 +103,8 @@ std::string inconsistency(const model::Case& model, std::span<const Step> rows, 
 std::string inconsistency(const io::Result& result) {
     if (!result.end) return "";
     std::string wrong = inconsistency(result.model, result.steps, result.end->reason);
-    return wrong.empty() && !result.model.dynamics ? motions(result) : wrong;
+    if (wrong.empty() && !result.model.dynamics) wrong = motions(result);
+    return wrong.empty() ? walls(result) : wrong;
 }
 
 }  // namespace soft::campaign

@@ -34,11 +34,19 @@ Drawn attempt(Dice& dice, const DesignIndex& number, const std::filesystem::path
     for (const Settings* settings :
          std::initializer_list<const Settings*>{&shape.settings, &material.settings, &load.settings})
         for (const auto& [key, value] : *settings) overrides.push_back({key, value, location});
-    const design::Design design =
-        design::read_design("family: " + shape.family + "\n", location, geometry::catalogue_keys(), overrides);
+    const auto read = [&] {
+        return design::read_design("family: " + shape.family + "\n", location, geometry::catalogue_keys(), overrides);
+    };
+    design::Design design = read();
     const mesh::Mesh mesh = geometry::build_case(design).mesh;
     if (mesh.points.size() > (mesh.dimension == 2 ? max_section_nodes : max_solid_nodes))
         throw Error(ExitCode::bad_input, "mesh", "too large for a campaign");
+    if (number.index % 4 != 3 && dice.chance(1.0 / 3)) {
+        overrides.push_back({"obstacles", draw_obstacles(dice, mesh, shape.model), location});
+        drawn.load += " (obstacles)";
+        design = read();
+        static_cast<void>(geometry::build_case(design));  // refuses an overlap
+    }
     drawn.design_yaml = design.effective_yaml;
     return drawn;
 }

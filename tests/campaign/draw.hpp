@@ -1,6 +1,7 @@
 #pragma once
 /// Random designs over all families of the catalogue, all laws and all kinds of load. The loads exceed the limit load of most designs.
-/// Every fourth design has a prescribed motion or a tiny load instead, with a known response.
+/// Every fourth design has a prescribed motion or a tiny load instead, with a known response. Of the others a third has rigid obstacles
+/// close to it, some with friction.
 /// Tested by Pipeline.CampaignConfirmsTheStopReasons.
 #include <cstdint>
 #include <filesystem>

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "../geometry/dice.hpp"
+#include "mesh/mesh.hpp"
 
 namespace soft::campaign {
 
@@ -38,6 +39,9 @@ struct Load {
 /// A prescribed face displacement of up to a few millimetres, outwards or inwards (a rod gets one to four cells along it), or loads so
 /// small that the response is linear. May change the settings of the shape.
 [[nodiscard]] Load draw_motion_or_tiny_load(Dice& dice, Shape& shape, const DrawnMaterial& material);
+
+/// One or two obstacles that do not overlap with the undeformed mesh by its bounding box, as a value of `obstacles`.
+[[nodiscard]] std::string draw_obstacles(Dice& dice, const mesh::Mesh& mesh, const std::string& model);
 
 [[nodiscard]] std::string mm(double value);
 [[nodiscard]] std::string kPa(double value);

@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "../fem/block_mesh.hpp"
 #include "contact/barrier.hpp"
 #include "contact/distance.hpp"
 #include "contact/potential.hpp"
@@ -149,6 +150,34 @@ TEST_P(PotentialOf, DerivativesOfContactWithObstaclesAreExact) {
         const auto at = derivatives(potential, state.positions, state.shifts);
         for (std::size_t k = 0; k < model.obstacles.size(); ++k)
             EXPECT_GT(at.summary.pressure_Pa[k], 0) << model.obstacles[k].name;
+    }
+}
+
+/// With a uniform gap g the pressure is uniform on the face: proportional to |b'(g)|, and inversely to the stretch of the area.
+TEST(Potential, NodalPressureIsTheSlopeOfTheBarrierOverTheStretch) {
+    using enum mesh::CellType;
+    for (const auto type : {quad9, triangle6, hex27, tet10}) {
+        const bool solid = mesh::dimension(type) == 3;
+        model::Case model = block_case(type, solid ? model::Kinematics::solid : model::Kinematics::plane_strain,
+                                       model::Formulation::displacement, {.n = 2});
+        const double h = Potential(model, std::array{modulus_Pa}).distance_m();
+        model.obstacles.push_back({"plane", model::Plane{{-3 * h, 0, 0}, {1, 0, 0}}});
+        Potential potential(model, std::array{modulus_Pa});
+        double unit_Pa = 0;  // of the first gap
+        for (const auto& [gap, stretch] : {std::pair{0.6 * h, 1.0}, {0.6 * h, 1.5}, {0.2 * h, 1.0}}) {
+            State state{model.mesh.points, {{3 * h - gap, 0, 0}}};
+            for (Point& x : state.positions) x[1] *= stretch;
+            const auto pressures_Pa = potential.nodal_pressures_Pa(state.positions, state.shifts);
+            const double scale = -barrier(gap, h).slope / stretch;
+            for (std::size_t n = 0; n < pressures_Pa.size(); ++n) {
+                const double x = model.mesh.points[n][0];  // the ends of the sides are within h as well
+                if (x < 1e-9 && unit_Pa == 0) unit_Pa = pressures_Pa[n] / scale;
+                if (x < 1e-9 || x > 0.5) {
+                    EXPECT_NEAR(pressures_Pa[n], x < 0.5 ? unit_Pa * scale : 0, 1e-9 * unit_Pa * scale);
+                }
+            }
+        }
+        EXPECT_GT(unit_Pa, 0);
     }
 }
 

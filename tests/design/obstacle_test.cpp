@@ -21,12 +21,12 @@ std::string output_refusal(const std::string& output, const std::string& more = 
     return refusal(base + table + "outputs: {grip: {" + output + "}}\n" + more);
 }
 
-TEST(Obstacle, IsAbsentByDefaultAndContactEndsThePath) {
+TEST(Obstacle, IsAbsentByDefaultAndContactIsSolved) {
     const Design design = read(minimal_design);
     EXPECT_TRUE(design.obstacles.empty());
     EXPECT_TRUE(design.contact.self);
-    EXPECT_EQ(design.path.contact, model::Contact::stop);
-    EXPECT_EQ(read(base + "path: {contact: solve}\n").path.contact, model::Contact::solve);
+    EXPECT_EQ(design.path.contact, model::Contact::solve);
+    EXPECT_EQ(read(base + "path: {contact: stop}\n").path.contact, model::Contact::stop);
     EXPECT_TRUE(contains(refusal(base + "path: {contact: sovle}\n"), "did you mean 'solve'"));
 }
 

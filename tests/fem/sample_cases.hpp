@@ -108,6 +108,7 @@ inline model::Case two_spheres_case(int layers, int sectors, double ratio) {
         right.push_back(facet);
     }
     mesh.facet_sets["left"] = mesh.facet_sets.at("cavity");
+    input.path.contact = model::Contact::ignore;
     input.cavities = {{"left", "left", {}, {}}, {"right", "right", {}, {}}};
     input.loads = {{.name = "left", .targets = {"left", "right"}, .gas = {}}};
     input.path.stages[0].supplies = {{model::Prescription::volume_ratio, ratio}};

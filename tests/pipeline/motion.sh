@@ -46,6 +46,13 @@ claim "it ends early" exits 2
 claim "the stop reason is the step limit" has step_limit solve.json stop_reason
 claim "the result contains only the state at rest" grep -q 'use an implicit integrator; 0 steps,' "$seen/err"
 
+# A slow motion into contact ends in the static state.
+wall='mesh-gen -q designs/membrane-at-wall.yaml --set mesh.size=1mm'
+runs "$wall | solve -q | postprocess -q -o static.csv"
+runs "$wall --set material.density=1080kg/m^3 --set dynamics.duration=1s --set dynamics.stiffness_damping=1ms | solve -q --json solve.json | postprocess -q -o slow.csv"
+claim "it pushes on the wall as the static path does" within "$(awk -v a="$(column push_N slow.csv | tail -n 1)" -v b="$(column push_N static.csv | tail -n 1)" 'BEGIN { print a / b }')" 0.995 1.005
+claim "the energies balance in contact" within "$(json solve.json energy_balance_error)" 0 5e-3
+
 # Steps that lose energy cause a warning, also with --quiet
 run 'mesh-gen -q designs/plate.yaml --set mesh.size=20mm --set path={} --set material.density=1000kg/m^3 --set "loads={bottom: {pressure: 0.8 kPa, time_function: {kind: step}}}" --set dynamics.duration=50ms --set dynamics.step=1ms --set dynamics.integrator=implicit-euler | solve -q -o lost.h5'
 claim "it runs" exits 0

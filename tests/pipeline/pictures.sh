@@ -6,7 +6,7 @@ unset DISPLAY   # headless
 is_png() { [ "$(head -c 8 "$1" | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a ] && [ "$(stat -c %s "$1")" -gt 5000 ]; }
 
 runs 'mesh-gen designs/dome.yaml | solve > dome.h5'
-for field in stretch von-mises pressure displacement energy J; do
+for field in stretch von-mises pressure displacement energy J contact-pressure; do
     runs "postprocess dome.h5 --picture $field.png --field $field --quiet"
     claim "a picture of $field" is_png "$field.png"
 done

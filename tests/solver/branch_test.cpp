@@ -129,6 +129,7 @@ TEST(Bifurcation, IsLocatedByTheSignOfTheDeterminantWithAnLuFactor) {
 TEST(Contact, EndsThePathJustBeforeWallsTouch) {
     auto input = sphere_case(2, 4);
     input.path.stages = {full_load(input, {-3 * sample_mu_Pa})};
+    input.path.contact = model::Contact::stop;
     fem::System measuring(input, PETSC_COMM_WORLD);
     const double undeformed = measuring.volumes().of_load(0, measuring.make_vector(), nullptr);
     StopReason seen = StopReason::self_contact;

@@ -65,6 +65,7 @@ inline model::Case make_case(mesh::Mesh mesh, model::Kinematics kinematics) {
     model::Case model;
     model.kinematics = kinematics;
     model.mesh = std::move(mesh);
+    model.path.contact = model::Contact::stop;  // the first touch is found to rounding
     model.cavities.push_back({.name = "cavity", .wall = "cavity", .inner_faces = {}, .openings = {}});
     return model;
 }

@@ -22,7 +22,7 @@ model::Case case_with(const model::Obstacle& obstacle, model::Kinematics kinemat
 /// All ends of the lines satisfy `lies`, are inside the window, and there are some.
 void expect_lines(const model::Case& model, const Vector3& shift, Extent extent,
                   const std::function<double(const Point&)>& distance_m) {
-    const auto lines = obstacle_lines(model, {&shift, 1}, window, extent);
+    const auto lines = obstacle_lines(model, model.obstacles[0], shift, window, extent);
     EXPECT_GT(lines.size(), 50u);
     for (const Line& line : lines)
         for (const Point& p : line) {
@@ -59,20 +59,13 @@ TEST(ObstacleLines, AreMirroredWithTheActuator) {
     model.symmetry_planes = {false, true, false};
     const Vector3 shift{};
     for (const bool mirrored : {true, false}) {
-        const auto lines = obstacle_lines(model, {&shift, 1}, window, mirrored ? Extent::whole : Extent::modelled);
+        const auto lines =
+            obstacle_lines(model, model.obstacles[0], shift, window, mirrored ? Extent::whole : Extent::modelled);
         EXPECT_EQ(std::ranges::any_of(lines, [](const Line& line) { return line[0][1] < 0; }), mirrored);
     }
     model.kinematics = model::Kinematics::plane_strain;  // drawn as modelled
-    for (const Line& line : obstacle_lines(model, {&shift, 1}, window, Extent::opened)) EXPECT_GT(line[0][1], 0);
-}
-
-TEST(ObstacleLines, MoveWithTheLevelsOfTheStages) {
-    model::Case model = case_with({"table", model::Plane{{}, {0, 0, 1}}}, model::Kinematics::solid);
-    model.motions = {{"table", {0, 0, 0.004}}};
-    model.path.stages = {{.name = "close", .motions = {1}}, {.name = "open", .motions = {-1}}};
-    EXPECT_NEAR(obstacle_shifts(model, 0, 0.5, {})[0][2], 0.002, 1e-15);
-    const double reached = 0.75;  // the first stage has ended early, at 0.003
-    EXPECT_NEAR(obstacle_shifts(model, 1, 0.5, {&reached, 1})[0][2], 0.003 - 0.5 * 0.007, 1e-15);
+    for (const Line& line : obstacle_lines(model, model.obstacles[0], shift, window, Extent::opened))
+        EXPECT_GT(line[0][1], 0);
 }
 
 }  // namespace

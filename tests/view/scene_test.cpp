@@ -89,6 +89,20 @@ TEST(Scene, TheFieldsAreThoseOfTheUniformState) {
     EXPECT_EQ(field("von Mises stress")["high_text"], "158.3 kPa");
 }
 
+TEST(Scene, ObstaclesMoveWithTheirLoad) {
+    io::Result result = test::bar_result(3);
+    result.model.obstacles = {{"wall", model::Plane{{-0.001, 0, 0}, {1, 0, 0}}}};
+    result.model.motions = {{"wall", {-0.002, 0, 0}}};
+    result.model.path.stages = {{.name = "path", .motions = {1}}};
+    const Decoded scene = scene_of(result);
+    const auto& wall = scene.json["obstacles"][0];
+    const auto ends = decoded<float>(wall["lines"]);
+    ASSERT_GT(ends.size(), 100u);
+    for (std::size_t k = 0; k < ends.size(); k += 3) EXPECT_EQ(ends[k], -1.0F);  // [mm]
+    for (std::size_t frame = 0; frame < scene.frames; ++frame)
+        EXPECT_NEAR(wall["shifts"][frame][0], -2 * result.steps[frame].load_factor, 1e-12);
+}
+
 TEST(Scene, EveryIndexIsInRange) {
     const Decoded scene = scene_of(test::bar_result(2));
     const auto base = decoded<std::uint32_t>(scene.json["base"]);
