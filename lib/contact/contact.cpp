@@ -115,8 +115,10 @@ public:
             if (pair.are_neighbours() && is_visible_from_one_side(cones[pair.first], cones[pair.second])) continue;
             if (is_initial_contact(i, j) || has_rubber_between(pair)) continue;
             const auto xi = find_crossing(pair, undeformed_, now);
-            if (xi && is_confirmed(pair, positions) && is_deep(pair, positions))
-                keep({kind_of(pair, positions), undeformed_location(pair.first, *xi), {pair.first, pair.second}});
+            if (!xi || !is_confirmed(pair, positions)) continue;
+            const Kind kind = kind_of(pair, positions);
+            if (kind == Kind::wall || is_deep(pair, positions))
+                keep({kind, undeformed_location(pair.first, *xi), {pair.first, pair.second}});
         }
         for (const Hinge& hinge : hinges_)
             if (allowed_share_ == 0 && is_closed(hinge, cones, positions)) keep(found_at(hinge));
@@ -166,14 +168,7 @@ private:
         const mesh::Index a = facets_.facet(pair.first).cell, b = facets_.facet(pair.second).cell;
         if (a == b) return true;
         if (pair.are_neighbours()) return false;
-        const auto corners = [&](mesh::Index cell) {
-            return mesh_.cell_nodes(cell).first(
-                static_cast<std::size_t>(mesh::topology(mesh_.cell_type(cell)).vertex_count));
-        };
-        const auto theirs = corners(b);
-        return std::ranges::count_if(corners(a), [&](mesh::Index node) {
-                   return std::ranges::find(theirs, node) != theirs.end();
-               }) >= mesh_.dimension;
+        return share_a_side(cell_corners(mesh_, a), cell_corners(mesh_, b), mesh_.dimension);
     }
 
     /// Whether the facets intersect in the fine subdivision too, which separates the two sides of a thin wall.

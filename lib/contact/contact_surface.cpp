@@ -96,6 +96,17 @@ bool has_facing_points(const ContactSurface::Entry& entry, const ContactSurface:
 
 }  // namespace
 
+std::vector<Index> cell_corners(const mesh::Mesh& mesh, Index cell) {
+    const auto nodes =
+        mesh.cell_nodes(cell).first(static_cast<std::size_t>(mesh::topology(mesh.cell_type(cell)).vertex_count));
+    return {nodes.begin(), nodes.end()};
+}
+
+bool share_a_side(std::span<const Index> corners, std::span<const Index> others, int dimension) {
+    return std::ranges::count_if(
+               corners, [&](Index node) { return std::ranges::find(others, node) != others.end(); }) >= dimension;
+}
+
 SampleRule sample_rule(mesh::CellType facet) {
     const std::array<double, 5> s{-1, -std::sqrt(3.0 / 7), 0, std::sqrt(3.0 / 7), 1},
         w{0.1, 49.0 / 90, 32.0 / 45, 49.0 / 90, 0.1};
@@ -154,6 +165,7 @@ ContactSurface::ContactSurface(const model::Case& model, std::span<const double>
     for (const mesh::Facet& facet : surface::free_facets(model)) {
         Entry entry;
         entry.facet = facet;
+        entry.cell_corners = cell_corners(model.mesh, facet.cell);
         entry.nodes = mesh::facet_nodes(model.mesh, facet);
         for (const Index corner : mesh::facet_corners(model.mesh, facet))
             entry.corners.push_back(static_cast<std::size_t>(corner));
@@ -267,6 +279,9 @@ Adjacency ContactSurface::adjacency(std::size_t i, std::size_t j) {
 
 Adjacency ContactSurface::find_adjacency(const Entry& a, const Entry& b) const {
     if (a.facet.cell == b.facet.cell) return Adjacency::sides_of_a_wall;
+    if (std::ranges::none_of(a.nodes, [&](Index node) { return std::ranges::find(b.nodes, node) != b.nodes.end(); }) &&
+        share_a_side(a.cell_corners, b.cell_corners, static_cast<int>(dimension_)))
+        return Adjacency::sides_of_a_wall;
     for (const Index node : a.nodes)
         if (std::ranges::find(b.nodes, node) != b.nodes.end())
             return has_facing_points(a, b) || has_facing_points(b, a) ? Adjacency::sides_of_a_groove

@@ -33,6 +33,7 @@ public:
 
     struct Entry {
         mesh::Facet facet{};  ///< of the actuator
+        std::vector<mesh::Index> cell_corners;
         std::vector<mesh::Index> nodes;
         std::vector<std::size_t> corners;  ///< numbers of the corners, equal for corners that facets share
         int obstacle = -1;                 ///< of a facet of an obstacle
@@ -80,6 +81,11 @@ private:
     double distance_m_ = 0;
     bool is_revolved_;
 };
+
+[[nodiscard]] std::vector<mesh::Index> cell_corners(const mesh::Mesh& mesh, mesh::Index cell);
+/// Whether two cells with these corners have a common side: between their facets without a common node lies rubber.
+[[nodiscard]] bool share_a_side(std::span<const mesh::Index> corners, std::span<const mesh::Index> others,
+                                int dimension);
 
 /// Whether air, not rubber, lies between a sample point and the closest point of another facet in the undeformed state.
 [[nodiscard]] bool are_facing(const ContactSurface::Entry& entry, std::size_t q, const Patch& other,

@@ -16,6 +16,8 @@ constexpr double overlap_share_of_size = 0.2;
 constexpr double least_compression = 0.2;
 /// Cosine of the angle to the normal of a facet beyond which a point is neither in its plane nor rounding decides the side.
 constexpr double off_the_plane = 0.1;
+/// Cosine below which a point behind a facet that is closest to its boundary lies beside it.
+constexpr double beside = 0.5;
 constexpr double share_of_initial_gap = 0.1;
 /// Two points of the undeformed body this close (fraction of the facet's size) are the same.
 constexpr double same_point = 1e-9;
@@ -150,6 +152,9 @@ void FacetContact::add_features(std::size_t q, const Point& x) {
 bool FacetContact::has_passed(std::size_t q, const Point& x, const Feature& closest) const {
     if (!is_behind(closest, at_.patches, x)) return false;
     const auto& other = at_.surface.entries()[closest.facet];
+    const Vector3 arm = difference(x, at_.patches[closest.facet](closest.closest.xi).x);
+    const double along_normal = -dot(arm, closest.normal) / norm(closest.normal);
+    if (!closest.closest.is_interior && along_normal < beside * norm(arm)) return false;
     return other.obstacle >= 0 || has_passed_through(entry_, q, other.undeformed, closest.closest.distance_m,
                                                      is_facing(map_, entry_, q, closest.normal));
 }

@@ -120,7 +120,7 @@ void PathFollower::step() {
     path_.attempts.crossing = find_crossing(corrector_, listeners_, *point);
     if (path_.attempts.crossing) return recover();
     const bool may_jump =
-        (system_.has_fibers() || system_.contact().has_friction()) && path_.attempts.failures < failures_before_kink;
+        point->touches || (may_have_kinks(system_, *path_.last) && path_.attempts.failures < failures_before_kink);
     if (may_jump && breaks_energy_balance(corrector_, path_, *point)) return recover();
     const double taken = point->q - path_.last->q;
     if (shorten_for_the_curve(system_, path_, aim, error.larger(), *point))
@@ -253,7 +253,8 @@ void PathFollower::recover() {
         if (found->goal != nullptr) end_stage(found->goal->text);
         return;
     }
-    if (auto point = may_be_kink ? pass_kink(corrector_, path_, failed) : std::nullopt) {
+    if (auto point = may_be_kink ? pass_kink(corrector_, path_, failed) : std::nullopt;
+        point && !breaks_energy_balance(corrector_, path_, *point)) {
         report_row("passed a kink to " + describe(*point));
         return go_on_from(std::move(*point));
     }

@@ -6,6 +6,7 @@
 #include "contact/distance.hpp"
 #include "core/text.hpp"
 #include "shape_checks.hpp"
+#include "surface/free_facets.hpp"
 
 namespace soft::campaign {
 namespace {
@@ -18,8 +19,6 @@ constexpr double motion_tolerance = 1e-6;
 /// Strain below which a response is linear; largest number of rows that it may take, with steps growing from a fiftieth of the load.
 constexpr double tiny_strain = 1e-6;
 constexpr std::size_t max_linear_rows = 8;
-/// Depth of a node inside an obstacle that is rounding, over the size of the part.
-constexpr double inside_share = 1e-9;
 
 std::string text_of(double value) { return core::rounded_text(value, 4); }
 
@@ -63,6 +62,14 @@ std::string walls(const io::Result& result) {
     const auto last = result.fields.read(static_cast<std::int64_t>(result.steps.size()) - 1);
     if (!last || model.path.contact != model::Contact::solve) return "";
     const auto& u = last->displacement_m;
+    double allowed_m = 0;  // the largest contact distance
+    for (const mesh::Facet& facet : surface::free_facets(model)) {
+        const auto nodes = mesh::facet_nodes(model.mesh, facet);
+        for (const mesh::Index a : nodes)
+            for (const mesh::Index b : nodes)
+                allowed_m = std::max(
+                    allowed_m, model.contact.distance * norm(difference(model.mesh.point(a), model.mesh.point(b))));
+    }
     for (std::size_t n = 0; n < model.mesh.points.size(); ++n) {
         mesh::Point x = model.mesh.points[n];
         for (std::size_t d = 0; d < 3; ++d) x[d] += u[3 * n + d];
@@ -75,11 +82,11 @@ std::string walls(const io::Result& result) {
                         return contact::distance(shape, x).value_m;
                 },
                 obstacle.shape);
-            if (distance_m < -inside_share * mesh::extent_m(model.mesh))
+            if (distance_m < -allowed_m)
                 return "a node is " + text_of(-1e3 * distance_m) + " mm inside the obstacle " + obstacle.name;
         }
     }
-    return ShapeChecks{model}.contact(u, u);
+    return ShapeChecks{model}.contact(u, u, allowed_m);
 }
 
 std::string tiny_loads(std::span<const Step> rows, model::StopReason end) {

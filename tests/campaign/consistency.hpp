@@ -3,7 +3,7 @@
 ///   energies    work of the loads and stored energy of a static path differ by at most 1 % of the largest of them
 ///   motions     a face with a prescribed displacement has moved by a fraction between 0 and 1 of it, and by all of it if the path is done
 ///   walls       in the last row no walls intersect, none crosses a symmetry plane, and no node is inside a smooth obstacle, where contact
-///               is solved
+///               is solved, by more than the contact distance
 ///   tiny loads  with strains below 1e-6 everywhere the response is linear: the path is done within a few rows
 /// Tested by campaign/consistency_test.
 #include <span>

@@ -111,6 +111,19 @@ bool share_vertex(const std::array<long, 3>& a, const std::array<long, 3>& b) {
     return std::ranges::any_of(a, [&](long name) { return name >= 0 && std::ranges::find(b, name) != b.end(); });
 }
 
+/// How far a piece reaches beyond the plane (line) of another that it intersects, on the side where it reaches less far.
+double overlap_m(const std::vector<Point>& piece, const std::vector<Point>& other) {
+    const Vector3 along_one = difference(other[1], other[0]);
+    const Vector3 normal = cross(along_one, other.size() > 2 ? difference(other[2], other[0]) : Vector3{0, 0, 1});
+    double low = 0, high = 0;
+    for (const Point& p : piece) {
+        const double height = dot(difference(p, other[0]), normal) / norm(normal);
+        low = std::min(low, height);
+        high = std::max(high, height);
+    }
+    return std::min(-low, high);
+}
+
 double determinant(const std::array<Point, 3>& g, int dimension) {
     if (dimension == 2) return g[0][0] * g[1][1] - g[0][1] * g[1][0];
     return g[0][0] * (g[1][1] * g[2][2] - g[1][2] * g[2][1]) - g[0][1] * (g[1][0] * g[2][2] - g[1][2] * g[2][0]) +
@@ -121,7 +134,7 @@ double determinant(const std::array<Point, 3>& g, int dimension) {
 
 ShapeChecks::ShapeChecks(const model::Case& model)
     : model_(model), skin_(surface::free_facets(model)), creases_(model, skin_), extent_m_(mesh::extent_m(model.mesh)) {
-    initial_pairs_ = intersecting_pairs(model.mesh);
+    initial_pairs_ = intersecting_pairs(model.mesh, 0);
 }
 
 mesh::Mesh ShapeChecks::moved(std::span<const double> u) const {
@@ -132,7 +145,7 @@ mesh::Mesh ShapeChecks::moved(std::span<const double> u) const {
 }
 
 /// Pairs of intersecting pieces. Sides of the same cell are excluded: rubber lies between them, and if they intersect the cell is inverted.
-ShapeChecks::Pairs ShapeChecks::intersecting_pairs(const mesh::Mesh& mesh) const {
+ShapeChecks::Pairs ShapeChecks::intersecting_pairs(const mesh::Mesh& mesh, double allowed_m) const {
     const Pieces pieces = pieces_of(mesh, skin_);
     std::vector<surface::Box> boxes;
     for (const auto& corners : pieces.corners) {
@@ -147,7 +160,9 @@ ShapeChecks::Pairs ShapeChecks::intersecting_pairs(const mesh::Mesh& mesh) const
     for (const auto& pair : surface::overlapping_pairs(boxes)) {
         const auto i = static_cast<std::size_t>(pair[0]), j = static_cast<std::size_t>(pair[1]);
         if (pieces.cells[i] == pieces.cells[j] || share_vertex(pieces.ends[i], pieces.ends[j])) continue;
-        if (surface::intersect(pieces.corners[i], pieces.corners[j])) pairs.insert(pair);
+        const auto &a = pieces.corners[i], &b = pieces.corners[j];
+        if (surface::intersect(a, b) && (allowed_m == 0 || std::min(overlap_m(a, b), overlap_m(b, a)) > allowed_m))
+            pairs.insert(pair);
     }
     return pairs;
 }
@@ -179,9 +194,9 @@ bool ShapeChecks::crosses_symmetry_plane(const mesh::Mesh& mesh) const {
     return false;
 }
 
-std::string ShapeChecks::contact(std::span<const double> u, std::span<const double> before) const {
+std::string ShapeChecks::contact(std::span<const double> u, std::span<const double> before, double allowed_m) const {
     const mesh::Mesh now = moved(u);
-    Pairs pairs = intersecting_pairs(now);
+    Pairs pairs = intersecting_pairs(now, allowed_m);
     for (const auto& pair : initial_pairs_) pairs.erase(pair);
     if (!pairs.empty()) return "walls intersect";
     if (crosses_symmetry_plane(now)) return "a wall crosses a symmetry plane";

@@ -50,7 +50,7 @@ inline io::Result bar_result(int steps, const std::string& trap = "a name",
     const model::Case model = bar_case();
     const io::Provenance meshed{"mesh-gen", "0.1.0", "0123abc", {"gmsh 4.8.4"}, "mesh-gen " + trap};
     const io::Provenance solved{"solve", "0.1.0", "0123abc", {"PETSc 3.18"}, "solve " + trap};
-    const model::Shape shape{model.kinematics, 1, {}, {1, 0, 0}, model.supports, {}, {}, {}};
+    const model::Shape shape{model.kinematics, 1, {}, {1, 0, 0}, model.supports, {}, {}, {}, {}};
     const auto image = io::write_case(model.mesh, shape, {"family: tube # " + trap + "\n", {"x=" + trap}}, meshed);
     io::ResultWriter writer({image, "case.h5", model}, solved, {{keep, 1}, {}});
     for (int i = 0; i < steps; ++i) {
