@@ -11,6 +11,7 @@
 #include "design/law_list.hpp"
 #include "geometry/build.hpp"
 #include "geometry/family.hpp"
+#include "geometry/variations.hpp"
 #include "io/case_file.hpp"
 #include "mesh/mesh.hpp"
 #include "mesh_gen_options.hpp"
@@ -78,7 +79,12 @@ ExitCode build(const cli::MeshGenOptions& options, const cli::Input& input,
         const io::Provenance provenance{std::string{about.tool}, std::string{cli::version()},
                                         std::string{cli::revision()}, cli::library_lines(about),
                                         options.common.command_line};
-        const auto image = io::write_case(model.mesh, built.shape, {design.effective_yaml, options.sets}, provenance);
+        const geometry::Variations varied =
+            options.sensitivity.empty() ? geometry::Variations()
+                                        : geometry::make_variations(design, built, options.sensitivity, input.source);
+        for (const std::string& note : varied.notes) console.warn(note);
+        const auto image = io::write_case(model.mesh, built.shape, {design.effective_yaml, options.sets}, provenance,
+                                          varied.variations);
         cli::write_output(options.common.output, image, cli::Content::binary);
     }
     for (const std::string& line : cli::summary_lines(summary)) console.say(line);

@@ -71,6 +71,14 @@ std::optional<MeshGenOptions> parse_mesh_gen_options(int argc, char** argv) {
         ->type_name("FILE")
         ->needs(describe);
     add_set_option(app, options.sets);
+    app.add_option(
+           "--sensitivity", options.sensitivity,
+           "Let solve compute the derivatives of the curve by these numbers of the design (geometry.wall,material.mu), or "
+           "by all; see postprocess --sensitivity")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->take_all()
+        ->type_name("KEY[,KEY...]");
     add_common_options(app, options.common, about);
     if (!parse(app, about, options.common, argc, argv)) return std::nullopt;
     require_at_most_one(
@@ -105,6 +113,8 @@ std::vector<MeshGenOptions> split_inputs(const MeshGenOptions& options) {
                         "two designs would write " + core::quoted(one.common.output), "rename one of them");
         std::vector<std::string> words{std::string{about.tool}, input, "-o", one.common.output};
         for (const std::string& set : options.sets) words.insert(words.end(), {"--set", set});
+        if (!options.sensitivity.empty())
+            words.insert(words.end(), {"--sensitivity", core::join(options.sensitivity, ",")});
         one.common.command_line = command_line_of(words);
     }
     return all;

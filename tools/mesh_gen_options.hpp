@@ -23,6 +23,7 @@ struct MeshGenOptions {
     std::string surface;  ///< file for the surface of the body, instead of the case
     design::LawListStyle law_style = design::LawListStyle::plain;
     std::vector<std::string> sets;
+    std::vector<std::string> sensitivity;  ///< keys, or "all"
 };
 
 /// nullopt if help, version or the like was printed. Throws Error(usage).

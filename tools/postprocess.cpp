@@ -10,6 +10,7 @@
 #include "post/csv.hpp"
 #include "post/curve.hpp"
 #include "post/request.hpp"
+#include "post/sensitivity.hpp"
 #include "postprocess_checks.hpp"
 #include "postprocess_options.hpp"
 #include "postprocess_plot.hpp"
@@ -23,6 +24,13 @@ post::Curve rows_at(const post::Curve& curve, const std::vector<std::string>& te
     for (const std::string& text : texts)
         for (const post::Request& request : post::parse_requests(text, curve)) requests.push_back(request);
     return post::rows_at(curve, requests);
+}
+
+std::vector<int> limit_rows(const io::Result& result) {
+    std::vector<int> rows;
+    if (result.end)
+        for (const model::LimitPoint& point : result.end->limit_points) rows.push_back(point.step);
+    return rows;
 }
 
 std::vector<std::string> comments(const io::Result& result, const cli::CommonOptions& common) {
@@ -49,6 +57,15 @@ ExitCode postprocess(const PostprocessOptions& options) {
         cli::write_output(options.common.output, post::column_text(curve.columns));
         return ExitCode::ok;
     }
+    if (options.sensitivity && result.model.parameters.empty())
+        throw Error(ExitCode::usage, "--sensitivity", "the result has no sensitivities",
+                    "generate its case with mesh-gen --sensitivity KEY[,KEY...], and solve it");
+    if (!options.tolerances.empty()) {
+        const auto [key, share] =
+            post::add_tolerance_band(curve, result.model, post::parse_tolerances(options.tolerances, result.model));
+        console.say("tolerances: at the last row " + key + " causes " + core::rounded_text(100 * share, 3) +
+                    " % of the squares");
+    }
     post::show_also(curve, options.also);
     const post::Curve table = options.at.empty() ? curve : rows_at(curve, options.at);
     const std::optional<Comparison> comparison = compare(options.compare, curve);
@@ -56,10 +73,12 @@ ExitCode postprocess(const PostprocessOptions& options) {
     const CheckReport checks = run_checks(options, curve, comparison, json);
     const auto lines = options.comments ? comments(result, options.common) : std::vector<std::string>{};
     if (options.wants_table)
-        cli::write_output(options.common.output, comparison
-                                                     ? post::csv_text(curve, comparison->measured, comparison->errors)
-                                                     : post::csv_text(table, lines));
-    const std::vector<post::PlotSeries> series = plot_series(options.plot, result, curve);
+        cli::write_output(options.common.output,
+                          comparison            ? post::csv_text(curve, comparison->measured, comparison->errors)
+                          : options.sensitivity ? post::sensitivity_csv(table, result.model, limit_rows(result))
+                                                : post::csv_text(table, lines));
+    std::vector<post::PlotSeries> series = plot_series(options.plot, result, curve);
+    if (!options.tolerances.empty()) series.front().band = post::tolerance_band(curve);
     draw_plot(options.plot, series, comparison ? &comparison->measured : nullptr, result.model.name);
     make_pictures(
         options.pictures,

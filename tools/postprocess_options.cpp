@@ -95,7 +95,11 @@ void check_combinations(const CLI::App& app) {
     for (const char* option : {"--columns", "--max-error"}) needs(option, {"--compare"});
     for (const char* option : {"--rtol", "--atol"}) needs(option, {"--check"});
     needs("--junit", {"--check", "--max-error"});
-    for (const char* option : {"--at", "--comments"})
+    if (app.count("--sensitivity") > 0 && app.count("--tolerances") > 0)
+        throw Error(ExitCode::usage, "--tolerances", "has no effect with --sensitivity", "omit one of them");
+    if (app.count("--band") > 0 && app.count("--tolerances") > 0)
+        throw Error(ExitCode::usage, "--tolerances", "a plot has one band", "omit --band or --tolerances");
+    for (const char* option : {"--at", "--comments", "--sensitivity", "--tolerances"})
         if (app.count(option) > 0 && app.count("--compare") > 0)
             throw Error(ExitCode::usage, option,
                         "has no effect with --compare, which writes errors instead of the table", "omit one of them");
@@ -152,6 +156,17 @@ std::optional<PostprocessOptions> parse_postprocess_options(int argc, char** arg
         ->allow_extra_args(false)
         ->take_all()
         ->type_name("QUANTITY[,QUANTITY...]");
+    app.add_flag(
+        "--sensitivity", options.sensitivity,
+        "Print the derivatives of the curve by the numbers of the design that mesh-gen --sensitivity named: of the load at "
+        "a fixed first output, and of the output at a fixed load");
+    app.add_option(
+           "--tolerances", options.tolerances,
+           "Add the band of the load that these tolerances cause (columns band_rss and band_worst); --plot draws it")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->take_all()
+        ->type_name("KEY=VALUE[,KEY=VALUE...]");
     app.add_flag("--outputs", options.lists_outputs,
                  "List the columns of RESULT (-: stdin), or without RESULT all possible columns: name, unit, meaning");
     app.add_flag("--comments", options.comments,

@@ -22,6 +22,7 @@
 #include "solve_summary.hpp"
 #include "solver/motion.hpp"
 #include "solver/path.hpp"
+#include "solver/sensitivities.hpp"
 
 namespace soft::cli {
 namespace {
@@ -39,18 +40,26 @@ struct Task {
     bool resumes = false;
 };
 
-/// Reads the case and applies --set; `changed` receives the changed design.
+/// Reads the case and applies --set; `changed` receives the changed design. Throws Error (usage) for a --set of a number that the case
+/// varies.
 io::CaseFile read_changed_case(const Input& input, const std::vector<std::string>& sets,
                                std::optional<io::DesignText>& changed) {
     std::vector<design::Override> overrides;
     for (const std::string& set : sets) overrides.push_back(design::parse_override(set));
-    return io::read_case_file(
+    io::CaseFile file = io::read_case_file(
         input.bytes, input.source,
         [&](mesh::Mesh mesh, const model::Shape& shape, std::string_view yaml, std::string_view source) {
             const design::Design design = geometry::read_built_design(mesh, shape, yaml, source, overrides);
-            if (!sets.empty()) changed = {design.effective_yaml, sets};
+            if (!sets.empty()) changed = {design.effective_yaml, sets};  // the last one is the case itself
             return geometry::build_case(design, std::move(mesh), shape);
         });
+    for (const model::DesignParameter& parameter : file.model.parameters)
+        for (const design::Override& change : overrides)
+            if ((parameter.key + ".").starts_with(change.path + "."))
+                throw Error(ExitCode::usage, "--set " + change.path,
+                            "the case contains the sensitivities at another value",
+                            "set it in mesh-gen, with --sensitivity");
+    return file;
 }
 
 Task read_task(const SolveOptions& options, int rank) {
@@ -65,6 +74,14 @@ Task read_task(const SolveOptions& options, int rank) {
                 throw Error(ExitCode::bad_input, task.input.source, "a run with --tolerance cannot be resumed",
                             "solve the case again with --tolerance; postprocess reads the existing rows");
         task.changed = task.from.changed_design;
+        if (!task.from.file.model.parameters.empty()) {
+            if (task.from.checkpoint && task.from.checkpoint->stage > 0)
+                throw Error(ExitCode::bad_input, task.input.source,
+                            "a run with sensitivities cannot be resumed after its first stage", "solve the case again");
+            std::optional<io::DesignText> ignored;
+            const auto sets = task.changed ? task.changed->overrides : std::vector<std::string>{};
+            task.from.file.variations = read_changed_case(task.input, sets, ignored).variations;
+        }
     } else {
         task.from.file = read_changed_case(task.input, options.sets, task.changed);
     }
@@ -72,6 +89,9 @@ Task read_task(const SolveOptions& options, int rank) {
 }
 
 void check_motion(const SolveOptions& options, const model::Case& model) {
+    if (options.tolerance && !model.parameters.empty())
+        throw Error(ExitCode::usage, "--tolerance", "error bars are not available with sensitivities",
+                    "solve a case that mesh-gen wrote without --sensitivity");
     if (!model.dynamics) return;
     if (!options.resume.empty())
         throw Error(ExitCode::usage, "--resume", "a motion in time cannot be resumed", "solve the case again");
@@ -158,9 +178,11 @@ SolveSummary follow(fem::System& system, const Task& task, const SolveOptions& o
             if (summary.controls.empty() || summary.controls.back().second != control)
                 summary.controls.emplace_back(row, control);
         }};
-    summary.end = model.dynamics
-                      ? solver::integrate_motion(system, listeners)
-                      : solver::follow_path(system, listeners, from.checkpoint ? &*from.checkpoint : nullptr);
+    std::optional<solver::Sensitivities> sensitivities;
+    if (!model.parameters.empty()) sensitivities.emplace(system, from.file.variations);
+    summary.end = model.dynamics ? solver::integrate_motion(system, listeners)
+                                 : solver::follow_path(system, listeners, from.checkpoint ? &*from.checkpoint : nullptr,
+                                                       sensitivities ? &*sensitivities : nullptr);
     --summary.steps;  // the undeformed state is not counted
     summary.unknowns = system.dofs().total;
     if (options.tolerance)

@@ -23,7 +23,7 @@ constexpr double thickest_wall_in_facets = 3;
 /// Parts of a line with a rule each. A point that slides over a corner of the other side makes the equilibrium unstable unless its
 /// force over its gap is small against the stiffness of the cells.
 constexpr int line_parts = 4;
-/// k over E_0.
+/// k over the larger of E_0 and the pressure.
 constexpr double stiffness_share = 0.1;
 
 void add_point(SampleRule& rule, const FacetPoint& xi, double weight) {
@@ -96,6 +96,19 @@ bool has_facing_points(const ContactSurface::Entry& entry, const ContactSurface:
 
 }  // namespace
 
+namespace {
+
+/// Largest prescribed pressure: walls that are pressed together by more than their modulus would overlap.
+double largest_pressure_Pa(const model::Case& model) {
+    double largest = 0;
+    for (const model::Stage& stage : model.path.stages)
+        for (const model::SupplyTarget& supply : stage.supplies)
+            if (supply.what == model::Prescription::pressure) largest = std::max(largest, std::abs(supply.value));
+    return largest;
+}
+
+}  // namespace
+
 std::vector<Index> cell_corners(const mesh::Mesh& mesh, Index cell) {
     const auto nodes =
         mesh.cell_nodes(cell).first(static_cast<std::size_t>(mesh::topology(mesh.cell_type(cell)).vertex_count));
@@ -162,6 +175,7 @@ NormalCone normals(const Patch& facet) {
 ContactSurface::ContactSurface(const model::Case& model, std::span<const double> modulus_Pa)
     : dimension_(static_cast<std::size_t>(model.mesh.dimension)),
       is_revolved_(model.kinematics == model::Kinematics::axisymmetric) {
+    const double pressure_Pa = largest_pressure_Pa(model);
     for (const mesh::Facet& facet : surface::free_facets(model)) {
         Entry entry;
         entry.facet = facet;
@@ -184,7 +198,9 @@ ContactSurface::ContactSurface(const model::Case& model, std::span<const double>
         entry.size_m = dimension_ == 2 ? area : std::sqrt(area);
         entry.stiffness_Pa =
             stiffness_share *
-            modulus_Pa[static_cast<std::size_t>(model.mesh.cell_regions[static_cast<std::size_t>(facet.cell)])];
+            std::max(
+                modulus_Pa[static_cast<std::size_t>(model.mesh.cell_regions[static_cast<std::size_t>(facet.cell)])],
+                pressure_Pa);
         nodes_.insert(nodes_.end(), entry.nodes.begin(), entry.nodes.end());
         entries_.push_back(std::move(entry));
     }

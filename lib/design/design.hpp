@@ -132,6 +132,8 @@ struct Design {
     model::PathSettings path;
     model::SolverSettings solver;
     std::optional<model::Dynamics> dynamics;  ///< nullopt: a static path
+    /// Numbers of geometry, materials, loads and obstacles that are not 0, by which a derivative is possible. Without lower and higher value.
+    std::vector<model::DesignParameter> parameters;
     std::string effective_yaml;  ///< canonical YAML with defaults and overrides; reading it gives the same design
     std::vector<std::string> warnings;  ///< plausibility warnings, one line each
 };

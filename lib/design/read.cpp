@@ -144,6 +144,27 @@ FaceNames face_names(const Node& root, std::string_view source, const FamilyKeys
     return names;
 }
 
+/// The single numbers of the design that are neither counts nor settings of the computation.
+std::vector<model::DesignParameter> parameters_of(std::span<const Item> items) {
+    std::vector<model::DesignParameter> parameters;
+    for (const Item& item : items) {
+        const std::string& key = item.key.path;
+        const bool is_physical = key.starts_with("geometry.") || key.starts_with("material.") ||
+                                 key.starts_with(std::string{materials_group} + ".") || key.starts_with("loads.") ||
+                                 key.starts_with("obstacles.") ||
+                                 (key.starts_with("path.stages.") && key.find(".loads.") != std::string::npos);
+        const auto dimension = dimension_of(item.key.kind);
+        if (!is_physical || !dimension || key.find(".fit.") != std::string::npos || item.entry.numbers.size() != 1 ||
+            item.entry.number == 0)
+            continue;
+        const auto [number, unit] = core::quantity_parts(item.entry.text);
+        const double unit_SI = core::quantity_or_throw("1" + (unit.empty() ? "" : " " + unit), *dimension,
+                                                       ExitCode::internal, item.entry.location);
+        parameters.push_back({key, unit, unit_SI, item.entry.number});
+    }
+    return parameters;
+}
+
 void check_material_references(const Values& values, const FamilyKeys& family) {
     std::vector<std::string> known{std::string{main_region}};
     for (const std::string& name : values.names_below(materials_group)) known.push_back(name);
@@ -277,6 +298,7 @@ Design design_of(const Checked& checked, const FamilyKeys& family) {
     design.dead_loads = std::move(loads.dead_loads);
     design.motions = std::move(loads.motions);
     design.solver = solver_of(design.values);
+    design.parameters = parameters_of(checked.items);
     design.effective_yaml = write_yaml(tree_of(checked.items));
     design.warnings = plausibility(design);
     return design;

@@ -75,10 +75,10 @@ std::vector<CellGroup> make_groups(const Discretization& fe) {
 
 }  // namespace
 
-Discretization::Discretization(const model::Case& model_case, MPI_Comm communicator)
+Discretization::Discretization(const model::Case& model_case, MPI_Comm communicator, std::span<const int> cell_rank)
     : input(model_case), comm(communicator), references(make_references(input)), rubbers(make_rubbers(input)) {
     MPI_Comm_rank(comm, &rank);
-    dofs = make_dof_map(input, references, pressure_scale(input, rubbers), comm);
+    dofs = make_dof_map(input, references, pressure_scale(input, rubbers), comm, cell_rank);
     if (dofs.total == 0) throw Error(ExitCode::bad_input, "supports", "the supports fix every node", "release a face");
     groups = make_groups(*this);
 }

@@ -34,7 +34,8 @@ struct SparseVector {
 struct Discretization {
     /// Throws Error (bad_input) for a case without cells or free nodes, a region without material, and a material that the formulation,
     /// the kinematics or the symmetry planes do not support (location materials/<region>). The case must outlive this object.
-    Discretization(const model::Case& input, MPI_Comm comm);
+    /// `cell_rank`: of a case with the same cells, for the same numbering of the unknowns; a new partition may differ.
+    Discretization(const model::Case& input, MPI_Comm comm, std::span<const int> cell_rank = {});
     Discretization(const Discretization&) = delete;
     Discretization& operator=(const Discretization&) = delete;
 

@@ -116,7 +116,7 @@ const fem::ReferenceCell& reference_of(std::span<const fem::ReferenceCell> refer
 }
 
 DofMap make_dof_map(const model::Case& input, std::span<const fem::ReferenceCell> references, double pressure_scale_Pa,
-                    MPI_Comm comm) {
+                    MPI_Comm comm, std::span<const int> cell_rank) {
     const auto& mesh = input.mesh;
     int size = 1, my_rank = 0;
     MPI_Comm_size(comm, &size);
@@ -127,7 +127,8 @@ DofMap make_dof_map(const model::Case& input, std::span<const fem::ReferenceCell
     map.displacement.assign(mesh.points.size() * mesh.dimension, unnumbered);
     map.vertex_pressure.assign(mesh.points.size(), -1);
     map.cell_pressure.assign(mesh.cell_types.size(), -1);
-    map.cell_rank = partition_cells(mesh, comm);
+    map.cell_rank =
+        cell_rank.empty() ? partition_cells(mesh, comm) : std::vector<int>(cell_rank.begin(), cell_rank.end());
     const auto fixed = fixed_components(input);
 
     const Owners owners = find_owners(mesh, references, map.cell_rank);

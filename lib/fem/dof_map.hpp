@@ -40,9 +40,9 @@ struct DofMap {
 
 /// Throws Error (bad_input) for a face that the mesh does not have and for a component that is both fixed and prescribed, or
 /// prescribed twice.
-/// `references` gives the element of each cell type present (index: mesh::CellType's value).
+/// `cell_rank`: the rank of each cell, empty for a new partition. `references` gives the element of each cell type present (index: mesh::CellType's value).
 [[nodiscard]] DofMap make_dof_map(const model::Case& input, std::span<const fem::ReferenceCell> references,
-                                  double pressure_scale_Pa, MPI_Comm comm);
+                                  double pressure_scale_Pa, MPI_Comm comm, std::span<const int> cell_rank = {});
 
 /// The element of a cell type. Throws std::logic_error if it is not among them.
 [[nodiscard]] const fem::ReferenceCell& reference_of(std::span<const fem::ReferenceCell> references,

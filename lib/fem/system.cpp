@@ -7,8 +7,8 @@
 
 namespace soft::fem {
 
-System::System(const model::Case& input, MPI_Comm comm)
-    : fe_(input, comm),
+System::System(const model::Case& input, MPI_Comm comm, std::span<const int> cell_rank)
+    : fe_(input, comm, cell_rank),
       potential_(input, model::young_moduli_Pa(input)),
       state_(fe_, potential_.is_empty() ? std::span<const mesh::Index>{} : potential_.nodes()),
       loads_(fe_),

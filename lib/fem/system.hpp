@@ -13,7 +13,7 @@ namespace soft::fem {
 class System {
 public:
     /// Throws Error (bad_input) as Discretization and Outputs do. The case must outlive the system.
-    System(const model::Case& input, MPI_Comm comm);
+    System(const model::Case& input, MPI_Comm comm, std::span<const int> cell_rank = {});
 
     [[nodiscard]] const Discretization& discretization() const noexcept { return fe_; }
     [[nodiscard]] const model::Case& input() const noexcept { return fe_.input; }

@@ -1,6 +1,7 @@
 #pragma once
 /// The case as an HDF5 file image (format: lib/io/README.md): mesh, shape and effective design. Reading gives the same values as
 /// were written, and equal input gives equal bytes. Tested by io/case_file_test, io/damage_test.
+#include <array>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -24,12 +25,15 @@ struct CaseFile {
     model::Case model;  ///< rebuilt from mesh, shape and design
     DesignText design;
     std::vector<Provenance> provenance;  ///< in alphabetical order of the tools
+    /// The cases with the lower and the higher value of each of model.parameters.
+    std::vector<std::array<model::Case, 2>> variations = {};
 };
 
 /// The complete file as bytes, for a pipe or a core::AtomicFile. Throws Error (internal) for a mesh or a shape that read_case_file
 /// would reject, so the next program can read every file that is written.
 [[nodiscard]] std::vector<std::byte> write_case(const mesh::Mesh& mesh, const model::Shape& shape,
-                                                const DesignText& design, const Provenance& provenance);
+                                                const DesignText& design, const Provenance& provenance,
+                                                std::span<const model::Variation> variations = {});
 
 /// Reads a case, or the case contained in a result, and lets `build` build the model. The image is untrusted: the SHA-256 seal and the
 /// type, shape, range and consistency of every value are checked before use, the design by `build`; links to other files are never

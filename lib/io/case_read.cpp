@@ -150,6 +150,36 @@ model::Shape read_shape(const GroupReader& group) {
     return shape;
 }
 
+model::Variation::Side read_side(const GroupReader& group, const mesh::Mesh& mesh) {
+    model::Variation::Side side{{}, read_shape(group.group("shape")), group.text("effective_yaml")};
+    const auto coordinates = group.array<double>("points", {extent(mesh.points.size()), 3});
+    for (std::size_t i = 0; i < mesh.points.size(); ++i) side.points.push_back(triple<double>(coordinates, i));
+    mesh::Mesh moved = mesh;
+    moved.points = side.points;
+    check_case(moved, side.shape, group.origin().source, ExitCode::bad_input);
+    return side;
+}
+
+/// Absent unless mesh-gen was asked for sensitivities.
+std::vector<model::Variation> read_variations(const GroupReader& root, const mesh::Mesh& mesh) {
+    std::vector<model::Variation> variations;
+    if (!root.has("variations")) return variations;
+    const GroupReader group = root.group("variations");
+    for (std::size_t i = 0; i < group.names().size(); ++i) {
+        const GroupReader one = group.group(std::to_string(i));
+        const model::DesignParameter parameter{one.text("key"),           one.text("unit"),
+                                               one.number("SI_per_unit"), one.number("value"),
+                                               one.number("lower_value"), one.number("higher_value")};
+        if (!is_name(parameter.key)) throw one.refuse("key", core::quoted(parameter.key) + " is not a key");
+        if (!(parameter.SI_per_unit > 0)) throw one.refuse("SI_per_unit", "is not positive");
+        if (!(parameter.lower < parameter.higher && parameter.lower <= parameter.value &&
+              parameter.value <= parameter.higher))
+            throw one.refuse("value", "is not between lower_value and higher_value");
+        variations.push_back({parameter, read_side(one.group("lower"), mesh), read_side(one.group("higher"), mesh)});
+    }
+    return variations;
+}
+
 StoredCase read_bare_case(std::span<const std::byte> hdf5, const Origin& origin) {
     const FileHandle file = open_image(hdf5, origin);
     return read_stored_case(GroupReader{file.get(), origin});
@@ -174,7 +204,14 @@ StoredCase read_stored_case(const GroupReader& root) {
     read_mesh(root.group("mesh"), stored.mesh);
     stored.provenance = read_provenance(root);
     check_case(stored.mesh, stored.shape, root.origin().source, ExitCode::bad_input);
+    stored.variations = read_variations(root, stored.mesh);
     return stored;
+}
+
+std::vector<model::DesignParameter> parameters_of(std::span<const model::Variation> variations) {
+    std::vector<model::DesignParameter> parameters;
+    for (const model::Variation& variation : variations) parameters.push_back(variation.parameter);
+    return parameters;
 }
 
 CaseFile read_case_file(std::span<const std::byte> image, std::string_view source, const model::CaseBuilder& build) {
@@ -184,9 +221,23 @@ CaseFile read_case_file(std::span<const std::byte> image, std::string_view sourc
     if (!parts.sealed)
         read_in_subprocess(origin, [&](const Origin& noted) { static_cast<void>(read_bare_case(parts.hdf5, noted)); });
     StoredCase stored = read_bare_case(parts.hdf5, origin);
-    return {
-        build(std::move(stored.mesh), stored.shape, stored.design.effective_yaml, design_location(origin, "design")),
-        std::move(stored.design), std::move(stored.provenance)};
+    CaseFile file;
+    for (std::size_t i = 0; i < stored.variations.size(); ++i) {
+        const auto build_side = [&](const model::Variation::Side& side, const char* name) {
+            mesh::Mesh moved = stored.mesh;
+            moved.points = side.points;
+            return build(std::move(moved), side.shape, side.effective_yaml,
+                         design_location(origin, "variations/" + std::to_string(i) + "/" + name));
+        };
+        file.variations.push_back(
+            {build_side(stored.variations[i].lower, "lower"), build_side(stored.variations[i].higher, "higher")});
+    }
+    file.model =
+        build(std::move(stored.mesh), stored.shape, stored.design.effective_yaml, design_location(origin, "design"));
+    file.model.parameters = parameters_of(stored.variations);
+    file.design = std::move(stored.design);
+    file.provenance = std::move(stored.provenance);
+    return file;
 }
 
 }  // namespace soft::io

@@ -11,8 +11,12 @@ struct StoredCase {
     model::Shape shape;
     DesignText design;
     std::vector<Provenance> provenance;
+    std::vector<model::Variation> variations;
 };
 [[nodiscard]] StoredCase read_stored_case(const GroupReader& root);
+
+/// Of the variations.
+[[nodiscard]] std::vector<model::DesignParameter> parameters_of(std::span<const model::Variation> variations);
 
 /// Effective YAML and overrides.
 [[nodiscard]] DesignText read_design_text(const GroupReader& group);

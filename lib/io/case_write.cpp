@@ -157,10 +157,38 @@ void write_shape(hid_t root, const model::Shape& shape) {
     write_obstacles(group.get(), shape.obstacles);
 }
 
+void write_side(hid_t parent, const char* name, const model::Variation::Side& side) {
+    const GroupHandle group = create_group(parent, name, "what differs from the case");
+    write_text(group.get(), {"effective_yaml", "1", "the design with this value"}, side.effective_yaml);
+    write_list(group.get(), {"points", "m", "reference position x, y, z; x, r, 0 in a section"},
+               rows_of_three<double>(side.points, [](const mesh::Point& point) { return point; }),
+               {side.points.size(), 3});
+    write_shape(group.get(), side.shape);
+}
+
+/// One group per number of the design, "0", "1", ...
+void write_variations(hid_t root, std::span<const model::Variation> variations) {
+    if (variations.empty()) return;
+    const GroupHandle group =
+        create_group(root, "variations", "the case with a smaller and a larger value of a number of the design");
+    for (std::size_t i = 0; i < variations.size(); ++i) {
+        const auto& [parameter, lower, higher] = variations[i];
+        const GroupHandle one = create_group(group.get(), std::to_string(i), "the number, and both cases");
+        write_text(one.get(), {"key", "1", "key path in the design"}, parameter.key);
+        write_text(one.get(), {"unit", "1", "as written in the design; empty for a pure number"}, parameter.unit);
+        write_number(one.get(), {"SI_per_unit", "1", "SI value of the unit"}, parameter.SI_per_unit);
+        write_number(one.get(), {"value", "1", "in the case, SI"}, parameter.value);
+        write_number(one.get(), {"lower_value", "1", "SI"}, parameter.lower);
+        write_number(one.get(), {"higher_value", "1", "SI"}, parameter.higher);
+        write_side(one.get(), "lower", lower);
+        write_side(one.get(), "higher", higher);
+    }
+}
+
 }  // namespace
 
 std::vector<std::byte> write_case(const mesh::Mesh& mesh, const model::Shape& shape, const DesignText& design,
-                                  const Provenance& provenance) {
+                                  const Provenance& provenance, std::span<const model::Variation> variations) {
     check_case(mesh, shape, "<case>", ExitCode::internal);
     const QuietErrors quiet;
     const FileHandle file = create_memory_file();
@@ -172,6 +200,7 @@ std::vector<std::byte> write_case(const mesh::Mesh& mesh, const model::Shape& sh
         write_vtkhdf(root.get(), mesh);
         write_mesh(root.get(), mesh);
         write_shape(root.get(), shape);
+        write_variations(root.get(), variations);
         const GroupHandle records = create_group(root.get(), "provenance", "one record per program");
         write_provenance(records.get(), provenance);
     }

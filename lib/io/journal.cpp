@@ -35,10 +35,11 @@ auto members(Is<model::Step::Motion> auto& motion) {
 auto members(Is<model::Step> auto& step) {
     auto& [stage, load_factor, pressure, volume, pressures, volumes, outputs, d_load_factor, d_pressure, d_volume,
            d_pressures, d_volumes, d_outputs, iterations, factorizations, stable, controlled, p99, stretch, jacobian,
-           extremes, energies, motion, pressure_error, output_errors, frequencies] = step;
+           extremes, energies, motion, pressure_error, output_errors, frequencies, derivatives] = step;
     return std::tie(stage, load_factor, pressure, volume, pressures, volumes, outputs, d_load_factor, d_pressure,
                     d_volume, d_pressures, d_volumes, d_outputs, iterations, factorizations, stable, controlled, p99,
-                    stretch, jacobian, extremes, energies, motion, pressure_error, output_errors, frequencies);
+                    stretch, jacobian, extremes, energies, motion, pressure_error, output_errors, frequencies,
+                    derivatives);
 }
 auto members(Is<model::LimitPoint> auto& point) {
     auto& [step, pressure, volume, outputs] = point;

@@ -40,6 +40,18 @@ ListColumns frequency_columns(const model::Case& model) {
     return columns;
 }
 
+ListColumns derivative_columns(const model::Case& model) {
+    ListColumns columns{"derivatives",
+                        "derivative by a number of the design at a fixed position along the path, in SI units of both",
+                        {}};
+    for (const model::DesignParameter& parameter : model.parameters) {
+        columns.names.push_back({"load_by_" + parameter.key, "SI"});
+        for (const model::Output& output : model.outputs)
+            columns.names.push_back({output.name + "_by_" + parameter.key, "SI"});
+    }
+    return columns;
+}
+
 const char* load_units(const model::Case& model) {
     switch (model::leading_load(model)) {
         case model::LeadingLoad::pressure:

@@ -28,6 +28,8 @@ struct ListColumns {
 [[nodiscard]] ListColumns output_error_columns(const model::Case& model);
 /// One column per natural frequency.
 [[nodiscard]] ListColumns frequency_columns(const model::Case& model);
+/// For each parameter one column per quantity: "load_by_geometry.wall", "elongation_by_geometry.wall".
+[[nodiscard]] ListColumns derivative_columns(const model::Case& model);
 /// Unit of the leading load: "Pa", "N" for a force, or "1" for the load factor.
 [[nodiscard]] const char* load_units(const model::Case& model);
 

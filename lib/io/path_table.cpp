@@ -133,7 +133,8 @@ std::vector<ListMember> list_members(const model::Case& model, const Step& row) 
             {volume_columns(model), &Step::volumes_m3, &Step::tangent_volumes},
             {output_columns(model), &Step::outputs, &Step::tangent_outputs},
             {std::move(errors), &Step::output_errors, nullptr},
-            {frequency_columns(model), &Step::frequencies_Hz, nullptr}};
+            {frequency_columns(model), &Step::frequencies_Hz, nullptr},
+            {derivative_columns(model), &Step::derivatives, nullptr}};
 }
 
 /// Calls `use` with each table of /path.

@@ -26,7 +26,8 @@ model::Case without_mesh(const model::Case& input) {
             input.materials,      input.supports,        input.cavities,
             input.loads,          input.dead_loads,      input.motions,
             input.obstacles,      input.contact,         input.outputs,
-            input.path,           input.solver,          input.dynamics};
+            input.path,           input.solver,          input.dynamics,
+            input.parameters};
 }
 
 /// Throws Error (bad_input) if the file contains a result or parts of one.

@@ -79,6 +79,7 @@ Solved read_solved(const GroupReader& root, const model::CaseBuilder& build) {
     const DesignText& design = changed ? *changed : stored.design;
     model::Case model = build(std::move(stored.mesh), stored.shape, design.effective_yaml,
                               design_location(root.origin(), changed ? changed_design_group : "design"));
+    model.parameters = parameters_of(stored.variations);
     return {{std::move(model), std::move(stored.design), std::move(stored.provenance)}, std::move(changed)};
 }
 

@@ -191,6 +191,15 @@ struct PathSettings {
     int frequencies = 0;        ///< number of natural frequencies of each row of a static path, at most max_frequencies
 };
 
+/// A number of the design, by which solve differentiates the rows of the path (solver/sensitivities.hpp).
+struct DesignParameter {
+    std::string key;               ///< "geometry.wall"
+    std::string unit;              ///< as written in the design; empty for a pure number
+    double SI_per_unit = 1;        ///< of `unit`
+    double value = 0;              ///< SI
+    double lower = 0, higher = 0;  ///< SI, of the cases between which the derivative is a difference
+};
+
 struct Case {
     std::string name;
     Kinematics kinematics = Kinematics::solid;
@@ -209,7 +218,8 @@ struct Case {
     std::vector<Output> outputs;
     PathSettings path;
     SolverSettings solver;
-    std::optional<Dynamics> dynamics;  ///< nullopt: a static path
+    std::optional<Dynamics> dynamics;         ///< nullopt: a static path
+    std::vector<DesignParameter> parameters;  ///< of the derivatives of the rows
 };
 
 /// Whether a motion is that of an obstacle, not of a face.

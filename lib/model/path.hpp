@@ -78,6 +78,9 @@ struct Step {
     std::vector<double> output_errors;
     /// model::PathSettings::frequencies values, ascending; negative: unstable (solver/natural_frequencies.hpp).
     std::vector<double> frequencies_Hz = {};
+    /// Derivatives by Case::parameters at a fixed position along the path (solver/sensitivities.hpp), SI: for each parameter of
+    /// pressure_Pa, then of each output.
+    std::vector<double> derivatives = {};
 };
 
 /// Extremum of the leading load along the path.

@@ -39,6 +39,17 @@ struct Shape {
         obstacles;  ///< the obstacles that are not a plane, cylinder or sphere, by name
 };
 
+/// The shape and the design with a smaller and a larger value of one number of the design, on a mesh of the same cells.
+struct Variation {
+    struct Side {
+        std::vector<mesh::Point> points;
+        Shape shape;
+        std::string effective_yaml;
+    };
+    DesignParameter parameter;
+    Side lower, higher;
+};
+
 /// Builds the case from the contents of a case file; `source` names the effective design in errors. Throws Error (bad_input).
 /// The programs use geometry::rebuild_case.
 using CaseBuilder =

@@ -29,6 +29,9 @@ std::vector<Column> all_columns() {
     step.extremes = model::Step::Extremes{};
     step.energies = {.dissipated_J = 0.0, .friction_J = 0.0};
     step.frequencies_Hz = {0};
+    model.parameters = {{.key = "<key>", .unit = "mm"}};
+    step.derivatives.resize(1 + model.outputs.size());
+    step.tangent_outputs.resize(model.outputs.size());
     model.cavities = {{"<cavity>", "", {}, {}}, {"<other>", "", {}, {}}};
     model.loads = {{.name = "<load>", .targets = {"<cavity>", "<other>"}, .gas = {}},
                    {.name = "<more>", .targets = {}, .gas = {}}};

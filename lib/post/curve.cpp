@@ -206,6 +206,49 @@ void add_on_demand(std::vector<Entry>& entries, const model::Case& model) {
         [](const Step& s) { return s.extremes ? Value(s.extremes->energy_J_m3) : std::nullopt; });
 }
 
+/// "1/m" -> "per_m"; "%" -> "percent"
+std::string suffix_of(const std::string& unit) {
+    std::string suffix = unit == "%" ? "percent" : unit;
+    for (char& c : suffix)
+        if (c == '/' || c == '*' || c == '^') c = '_';
+    return suffix;
+}
+
+/// The stiffness along the path, and the derivatives of the load at a fixed first output (sensitivity.hpp).
+void add_derivatives(std::vector<Entry>& entries, const model::Case& model) {
+    if (model.outputs.empty()) return;
+    const Column load = leading_column(model);
+    const Unit per = column_unit(model.outputs.front().measure);
+    const auto add = [&](const std::string& quantity, const std::string& unit, double SI_per_unit, std::string meaning,
+                         std::function<Value(const Step&)> value) {
+        const std::string numerator = load.unit.empty() ? "1" : load.unit;
+        Column column = plain(quantity, Role::dependent, std::move(meaning));
+        column.unit = unit.empty() ? load.unit : numerator + "/" + unit;
+        if (!column.unit.empty())
+            column.name += "_" + suffix_of(numerator) + (unit.empty() ? "" : "_per_" + suffix_of(unit));
+        column.SI_per_unit = load.SI_per_unit / SI_per_unit;
+        column.shown = Shown::on_demand;
+        entries.push_back({.column = std::move(column), .value_SI = std::move(value), .is_optional = true});
+    };
+    const auto stiffness = [](const Step& step) { return step.tangent_pressure / step.tangent_outputs[0]; };
+    add("stiffness", std::string{per.suffix}, per.SI_per_unit, "slope of the load over the first output along the path",
+        [=, is_finite = model.parameters.empty()](const Step& step) {
+            const bool is_defined =
+                !step.motion && !step.tangent_outputs.empty() && (!is_finite || step.tangent_outputs[0] != 0);
+            return is_defined ? Value(stiffness(step)) : std::nullopt;
+        });
+    const std::size_t quantities = 1 + model.outputs.size();
+    for (std::size_t i = 0; i < model.parameters.size(); ++i) {
+        const model::DesignParameter& parameter = model.parameters[i];
+        add(load.quantity + "_by_" + parameter.key, parameter.unit, parameter.SI_per_unit,
+            "derivative of the load by a number of the design at a fixed first output", [=](const Step& step) {
+                if (step.derivatives.size() < (i + 1) * quantities) return Value();
+                const double* D = &step.derivatives[i * quantities];
+                return Value(D[1] == 0 ? D[0] : D[0] - stiffness(step) * D[1]);
+            });
+    }
+}
+
 std::vector<Entry> entries_of(const model::Case& model, std::span<const Step> steps) {
     std::vector<Entry> entries;
     entries.push_back({plain("step", Role::counter, "number of the row"),
@@ -226,6 +269,7 @@ std::vector<Entry> entries_of(const model::Case& model, std::span<const Step> st
     add_motion_energies(entries);
     add_local_values(entries);
     add_on_demand(entries, model);
+    add_derivatives(entries, model);
     return entries;
 }
 

@@ -9,7 +9,7 @@
 ///   kinetic_energy_mJ, stored_energy_mJ, load_work_mJ, damping_work_mJ (dynamic cases);
 ///   stretch_p99, max_stretch, min_J, stable; stable_under_control (static paths).
 /// On demand: stored_energy_mJ and load_work_mJ (static cases), dissipated_energy_mJ (in contact), friction_work_mJ (with friction), max_stretch_x_mm ... (undeformed position of max_stretch),
-/// max_energy_density_kJ_m3. Quantities that a case does not have (an output, a cavity volume) are omitted, never filled with zeros.
+/// max_energy_density_kJ_m3, stiffness_kPa_per_mm and pressure_by_<number of the design> (sensitivity.hpp). Quantities that a case does not have (an output, a cavity volume) are omitted, never filled with zeros.
 /// Tested by post/curve_test.
 #include <cstddef>
 #include <optional>

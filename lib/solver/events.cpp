@@ -60,12 +60,13 @@ struct InverseIterate {
     linalg::Vector v;
 };
 std::optional<InverseIterate> iterate_inverse(Newton& newton, Vec b) {
-    auto v = newton.bordered_solve(b);
-    if (!v) return std::nullopt;
-    const double eigenvalue = 1.0 / linalg::dot(b, *v);
-    SOFT_PETSC(VecScale(*v, 1.0 / linalg::norm(*v)));
-    if (linalg::dot(*v, b) < 0.0) SOFT_PETSC(VecScale(*v, -1.0));
-    return InverseIterate{eigenvalue, std::move(*v)};
+    auto solution = newton.bordered_solve(b);
+    if (!solution) return std::nullopt;
+    linalg::Vector v = std::move(solution->x);
+    const double eigenvalue = 1.0 / linalg::dot(b, v);
+    SOFT_PETSC(VecScale(v, 1.0 / linalg::norm(v)));
+    if (linalg::dot(v, b) < 0.0) SOFT_PETSC(VecScale(v, -1.0));
+    return InverseIterate{eigenvalue, std::move(v)};
 }
 
 /// Scales a mode to a largest displacement of 1; the sign does not depend on the number of ranks.

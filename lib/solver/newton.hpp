@@ -18,6 +18,7 @@
 /// Introduction to Numerical Continuation Methods (2003) 10.4. Tested by solver/solver_test, solver/supply_test,
 /// solver/newton_methods_test, solver/linear_methods_test, solver/kink_test, solver/motion_test, solver/tiny_load_test.
 #include <optional>
+#include <span>
 
 #include "solver/bordered_system.hpp"
 #include "solver/line_search.hpp"
@@ -73,8 +74,8 @@ public:
 
     [[nodiscard]] NewtonEnd tangent_end() const noexcept { return tangent_end_; }
 
-    /// x part of M^-1 (b, 0) with the bordered matrix M of the state and constraint of the last tangent().
-    [[nodiscard]] std::optional<linalg::Vector> bordered_solve(Vec b);
+    /// M^-1 (b, rows, 0) with the bordered matrix M of the state and constraint of the last tangent(); `rows`: of the supplies, empty: 0.
+    [[nodiscard]] std::optional<PathTangent> bordered_solve(Vec b, std::span<const double> rows = {});
 
     /// Negative pivots of K in excess of one per pressure unknown at the last tangent(), to which the next one is compared. A path
     /// that is resumed sets it.

@@ -131,15 +131,18 @@ std::optional<int> Newton::unstable_modes() {
     return bordered_.factor.negative_pivots ? *modes - freed : (*modes + freed) % 2;
 }
 
-std::optional<linalg::Vector> Newton::bordered_solve(Vec b) {
-    linalg::Vector v = linalg::duplicate(b);
-    if (!solve_accurately(b, v, linalg::Factor::stale).converged) return std::nullopt;
-    auto rows = bordered_.rows_times(v);
-    for (double& row : rows) row = -row;
-    const auto border = linalg::solve(bordered_.border, rows);
+std::optional<PathTangent> Newton::bordered_solve(Vec b, std::span<const double> rows) {
+    PathTangent solution{linalg::duplicate(b), 0, {}, {}, 0};
+    if (!solve_accurately(b, solution.x, linalg::Factor::stale).converged) return std::nullopt;
+    auto missing = bordered_.rows_times(solution.x);
+    for (std::size_t k = 0; k < missing.size(); ++k) missing[k] = (k < rows.size() ? rows[k] : 0.0) - missing[k];
+    auto border = linalg::solve(bordered_.border, missing);
     if (!border) return std::nullopt;
-    for (std::size_t j = 0; j < border->size(); ++j) linalg::add(v, (*border)[j], bordered_.columns[j]);
-    return v;
+    for (std::size_t j = 0; j < border->size(); ++j) linalg::add(solution.x, (*border)[j], bordered_.columns[j]);
+    solution.load_factor = border->back();
+    border->pop_back();
+    solution.pressures = std::move(*border);
+    return solution;
 }
 
 }  // namespace soft::solver

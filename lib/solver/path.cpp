@@ -62,12 +62,12 @@ std::string row_text(const PathPoint& point, const PredictorError& error, int it
 
 }  // namespace
 
-PathFollower::PathFollower(fem::System& system, const Listeners& listeners)
+PathFollower::PathFollower(fem::System& system, const Listeners& listeners, Sensitivities* sensitivities)
     : system_(system),
       input_(system.input()),
       listeners_(listeners),
       corrector_(system),
-      recorder_(corrector_, listeners) {
+      recorder_(corrector_, listeners, sensitivities) {
     path_.undeformed_volumes_m3 = undeformed_volumes_m3(system);
 }
 
@@ -316,9 +316,10 @@ void PathFollower::report_row(const std::string& text) const {
     listeners_.report("row " + std::to_string(path_.rows) + ": " + text);
 }
 
-model::PathEnd follow_path(fem::System& system, const Listeners& listeners, const model::Checkpoint* from) {
+model::PathEnd follow_path(fem::System& system, const Listeners& listeners, const model::Checkpoint* from,
+                           Sensitivities* sensitivities) {
     check_case(system.input());
-    return PathFollower(system, listeners).run(from);
+    return PathFollower(system, listeners, sensitivities).run(from);
 }
 
 }  // namespace soft::solver

@@ -83,10 +83,13 @@ struct Listeners {
     }
 };
 
-/// `from`: resumes there instead of starting at the undeformed state; rows before it are not passed to the sink again. The
+class Sensitivities;
+
+/// `sensitivities`: fills the derivatives of every row; nullptr: none. `from`: resumes there instead of starting at the undeformed state; rows before it are not passed to the sink again. The
 /// rows after it are those of the uninterrupted path. Throws Error (bad_input) for a body with a rigid motion, a control
 /// or goal the case does not have, a checkpoint of another case or another number of ranks.
 [[nodiscard]] model::PathEnd follow_path(fem::System& system, const Listeners& listeners,
-                                         const model::Checkpoint* from = nullptr);
+                                         const model::Checkpoint* from = nullptr,
+                                         Sensitivities* sensitivities = nullptr);
 
 }  // namespace soft::solver

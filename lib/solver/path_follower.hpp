@@ -19,7 +19,7 @@ struct ControlChange;
 
 class PathFollower {
 public:
-    PathFollower(fem::System& system, const Listeners& listeners);
+    PathFollower(fem::System& system, const Listeners& listeners, Sensitivities* sensitivities);
 
     model::PathEnd run(const model::Checkpoint* from);
 

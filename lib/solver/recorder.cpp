@@ -32,7 +32,8 @@ VisitedState visited_state(const PathPoint& point, double direction) {
 
 }  // namespace
 
-Recorder::Recorder(Corrector& corrector, const Listeners& listeners) : corrector_(corrector), listeners_(listeners) {
+Recorder::Recorder(Corrector& corrector, const Listeners& listeners, Sensitivities* sensitivities)
+    : corrector_(corrector), listeners_(listeners), sensitivities_(sensitivities) {
     const int frequencies = corrector.input().path.frequencies;
     if (frequencies > 0) frequencies_.emplace(corrector.system(), frequencies);
 }
@@ -57,6 +58,7 @@ void Recorder::append(PathState& path, PathPoint& point) {
     if (step.energies && !system.contact().is_empty())
         step.energies->dissipated_J = path.dissipated_J / system.input().model_fraction;
     if (frequencies_) step.frequencies_Hz = frequencies_->evaluate(point.state.x, point.levels);
+    if (sensitivities_ != nullptr) sensitivities_->evaluate(corrector_, path, point, step);
     path.stretch_p99 = step.stretch_p99;
     path.visited.push_back(visited_state(point, direction));
     ++path.rows;

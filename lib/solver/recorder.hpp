@@ -4,12 +4,14 @@
 #include "solver/corrector.hpp"
 #include "solver/natural_frequencies.hpp"
 #include "solver/path.hpp"
+#include "solver/sensitivities.hpp"
 
 namespace soft::solver {
 
 class Recorder {
 public:
-    Recorder(Corrector& corrector, const Listeners& listeners);
+    /// `sensitivities`: nullptr for none
+    Recorder(Corrector& corrector, const Listeners& listeners, Sensitivities* sensitivities);
 
     /// Makes a point the next row, and sets its work since the last row.
     void append(PathState& path, PathPoint& point);
@@ -26,7 +28,8 @@ private:
     Corrector& corrector_;
     const Listeners& listeners_;
     std::optional<NaturalFrequencies> frequencies_;  // of every row
-    WorkCount at_row_, before_;                      // at the last row; of the interrupted run
+    Sensitivities* sensitivities_;
+    WorkCount at_row_, before_;  // at the last row; of the interrupted run
 };
 
 /// Restores the state after the checkpoint's last row. Throws Error (bad_input) for a checkpoint of another case or another number of

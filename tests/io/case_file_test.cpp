@@ -36,6 +36,34 @@ TEST(CaseFile, EmptyTextsAndListsReadBackEmpty) {
     EXPECT_EQ(file.provenance, (std::vector<Provenance>{{"mesh-gen", "", "", {}, ""}}));
 }
 
+TEST(CaseFile, VariationsReadBackWithTheirMeshesAndDesigns) {
+    const model::Case model = section_case();
+    model::Variation varied{{"geometry.wall", "mm", 1e-3, 3e-3, 2.9e-3, 3.1e-3}, {}, {}};
+    for (auto* side : {&varied.lower, &varied.higher}) {
+        side->points = model.mesh.points;
+        side->points[3][1] += side == &varied.lower ? -1e-4 : 2e-4;
+        side->shape = shape_of(model);
+        side->effective_yaml = side == &varied.lower ? "low" : "high";
+    }
+    const auto image =
+        io::write_case(model.mesh, shape_of(model), example_design(), example_provenance("mesh-gen"), {&varied, 1});
+    std::vector<std::string> designs;
+    const CaseFile file = io::read_case_file(
+        image, "case.h5", [&](mesh::Mesh mesh, const model::Shape&, std::string_view yaml, std::string_view) {
+            designs.emplace_back(yaml);
+            model::Case built = model;
+            built.mesh = std::move(mesh);
+            return built;
+        });
+    ASSERT_EQ(file.model.parameters.size(), 1u);
+    EXPECT_EQ(file.model.parameters[0].key, "geometry.wall");
+    EXPECT_EQ(file.model.parameters[0].higher, 3.1e-3);
+    ASSERT_EQ(file.variations.size(), 1u);
+    EXPECT_EQ(file.variations[0][0].mesh.points, varied.lower.points);
+    EXPECT_EQ(file.variations[0][1].mesh.points, varied.higher.points);
+    EXPECT_EQ(designs, (std::vector<std::string>{"low", "high", example_design().effective_yaml}));
+}
+
 TEST(CaseFile, EqualInputGivesEqualBytes) { EXPECT_EQ(section_image(), section_image()); }
 
 TEST(CaseFile, LargeMeshReadsBackFromCompressedChunks) {

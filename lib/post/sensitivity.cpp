@@ -1,0 +1,119 @@
+#include "post/sensitivity.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "core/units.hpp"
+
+namespace soft::post {
+namespace {
+
+constexpr const char *rss = "band_rss_", *worst = "band_worst_";
+
+std::string cell(double value) { return std::isfinite(value) ? core::number_text(value + 0.0) : ""; }
+
+const Column& load_of(const Curve& curve) { return *curve.find(Source::load); }
+
+const Column& derivative_of(const Curve& curve, const model::DesignParameter& parameter) {
+    return *curve.find(load_of(curve).quantity + "_by_" + parameter.key);
+}
+
+}  // namespace
+
+std::string sensitivity_csv(const Curve& table, const model::Case& model, std::span<const int> limit_rows) {
+    const Column *load = table.find(Source::load), *output = table.find(Source::output);
+    const Column &step = *table.find("step"), &stiffness = *table.find("stiffness");
+    std::string text = "step," + load->name + "," + output->name +
+                       ",parameter,value,unit,d_load,d_output,d_load_percent,d_output_percent\n";
+    for (std::size_t row = 0; row < table.row_count(); ++row)
+        for (const model::DesignParameter& parameter : model.parameters) {
+            const bool is_limit = std::ranges::find(limit_rows, step.values[row]) != limit_rows.end();
+            const double value = parameter.value / parameter.SI_per_unit;
+            const double d_load = derivative_of(table, parameter).values[row];
+            const double d_output =
+                is_limit ? std::numeric_limits<double>::quiet_NaN() : -d_load / stiffness.values[row];
+            text += core::number_text(step.values[row]) + "," + cell(load->values[row]) + "," +
+                    cell(output->values[row]) + "," + parameter.key + "," + cell(value) + "," + parameter.unit;
+            for (const double number :
+                 {d_load, d_output, d_load * value / load->values[row], d_output * value / output->values[row]})
+                text += "," + cell(number);
+            text += '\n';
+        }
+    return text;
+}
+
+std::vector<MakingTolerance> parse_tolerances(std::span<const std::string> texts, const model::Case& model) {
+    std::vector<MakingTolerance> tolerances;
+    for (const std::string& text : texts) {
+        const std::string option = "--tolerances " + text;
+        const std::size_t equals = text.find('=');
+        if (equals == std::string::npos)
+            throw Error(ExitCode::usage, option, "is not KEY=VALUE", "for example geometry.wall=0.1mm");
+        const std::string key{core::trimmed(text.substr(0, equals))}, given = text.substr(equals + 1);
+        const auto found = std::ranges::find(model.parameters, key, &model::DesignParameter::key);
+        if (found == model.parameters.end()) {
+            std::vector<std::string> known;
+            for (const model::DesignParameter& parameter : model.parameters) known.push_back(parameter.key);
+            throw Error(ExitCode::usage, option, "the result has no sensitivity to this number",
+                        known.empty() ? "name it in mesh-gen --sensitivity" : core::did_you_mean(key, known));
+        }
+        const bool is_share = core::quantity_parts(given).unit == "%";
+        const auto dimension = is_share || found->unit.empty()
+                                   ? core::Dimension::ratio
+                                   : core::dimension_of(found->unit).value_or(core::Dimension::ratio);
+        const double value = core::quantity_or_throw(given, dimension, ExitCode::usage, option);
+        if (!(value >= 0)) throw Error(ExitCode::usage, option, "a tolerance is not negative");
+        tolerances.push_back({static_cast<std::size_t>(found - model.parameters.begin()),
+                              is_share ? value * std::abs(found->value) : value});
+    }
+    return tolerances;
+}
+
+Dominant add_tolerance_band(Curve& curve, const model::Case& model, std::span<const MakingTolerance> tolerances) {
+    const Column load = load_of(curve);
+    std::vector<double> squares(curve.row_count()), sums(curve.row_count());
+    Dominant dominant{"", 0};
+    double largest = 0;
+    for (const MakingTolerance& tolerance : tolerances) {
+        const model::DesignParameter& parameter = model.parameters[tolerance.parameter];
+        const Column& derivative = derivative_of(curve, parameter);
+        for (std::size_t row = 0; row < curve.row_count(); ++row) {
+            const double change = std::abs(derivative.values[row]) * tolerance.value_SI / parameter.SI_per_unit;
+            squares[row] += change * change;
+            sums[row] += change;
+            if (row + 1 == curve.row_count() && change >= largest) {
+                largest = change;
+                dominant.key = parameter.key;
+            }
+        }
+    }
+    if (!squares.empty() && squares.back() > 0) dominant.share = largest * largest / squares.back();
+    const auto add = [&](const char* kind, std::vector<double> values, const char* meaning) {
+        Column column = load;
+        column.name = kind + load.name;
+        column.quantity = kind + load.quantity;
+        column.meaning = meaning;
+        column.role = Role::dependent;
+        column.source = Source::other;
+        column.values = std::move(values);
+        column.slopes.clear();
+        curve.columns.push_back(std::move(column));
+    };
+    for (double& square : squares) square = std::sqrt(square);
+    add(rss, std::move(squares), "half width of the band of the tolerances: root of the sum of squares");
+    add(worst, std::move(sums), "half width of the band of the tolerances: sum");
+    return dominant;
+}
+
+Band tolerance_band(const Curve& curve) {
+    const Column *load = curve.find(Source::load), *output = curve.find(Source::output);
+    const std::vector<double> none(curve.row_count(), std::numeric_limits<double>::quiet_NaN());
+    return {{{curve.index_of(*load), load->values, curve.find(rss + load->quantity)->values, none},
+             {curve.index_of(*output), output->values, none, none}},
+            {}};
+}
+
+}  // namespace soft::post

@@ -1,0 +1,45 @@
+#pragma once
+/// Sensitivities of a curve to numbers of its design, from the derivatives that solve records (solver/sensitivities.hpp).
+/// Columns on demand of the curve: `stiffness`, the slope of the leading load over the first output along the path, and
+/// `<load>_by_<key>`, the derivative A of the leading load by the number at a fixed first output. The derivative of the output at a fixed
+/// load is -A / stiffness. Both columns are smooth across limit points, where A is the derivative of the limit load.
+/// Band of tolerances t_k of independent numbers, as half widths of the load at a fixed first output:
+///   root of squares  sqrt(sum (A_k t_k)^2),      worst case  sum |A_k| t_k
+/// Tested by post/sensitivity_test and pipeline/sensitivities.
+#include <span>
+#include <string>
+#include <vector>
+
+#include "post/band.hpp"
+#include "post/curve.hpp"
+
+namespace soft::post {
+
+/// The table in long form: one line for each row of `table` and each parameter of the case:
+///   step,<load>,<first output>,parameter,value,unit,d_load,d_output,d_load_percent,d_output_percent
+/// derivatives in the units of the columns per `unit`, and in percent per percent. A cell is empty where the derivative does not exist:
+/// d_output at the rows `limit_rows`, percentages of 0.
+[[nodiscard]] std::string sensitivity_csv(const Curve& table, const model::Case& model,
+                                          std::span<const int> limit_rows);
+
+/// How far a number of the made part may be from that of the design.
+struct MakingTolerance {
+    std::size_t parameter;  ///< index in Case::parameters
+    double value_SI;
+};
+/// "geometry.wall=0.1mm", "material.mu=5%" (of the value). Throws Error (usage) for a number without sensitivity.
+[[nodiscard]] std::vector<MakingTolerance> parse_tolerances(std::span<const std::string> texts,
+                                                            const model::Case& model);
+
+/// Adds the columns band_rss_<load> and band_worst_<load>. Returns the name of the number with the largest share at the last row, and its
+/// share of the squares.
+struct Dominant {
+    std::string key;
+    double share;
+};
+Dominant add_tolerance_band(Curve& curve, const model::Case& model, std::span<const MakingTolerance> tolerances);
+
+/// The root of squares as the band of a plot.
+[[nodiscard]] Band tolerance_band(const Curve& curve);
+
+}  // namespace soft::post

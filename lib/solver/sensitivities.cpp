@@ -1,0 +1,191 @@
+#include "solver/sensitivities.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
+
+#include "core/error.hpp"
+#include "solver/row_state.hpp"
+
+namespace soft::solver {
+
+namespace {
+
+/// Of the value of a parameter: the error of a one-sided difference is about 30 times this fraction of the derivative.
+constexpr double small_change = 2e-6;
+/// Of the value that a goal prescribes.
+constexpr double goal_tolerance = 1e-6;
+
+Error singular(const std::string& what) {
+    return {ExitCode::bad_input, "--sensitivity", what, "generate the case without sensitivities"};
+}
+
+/// The goal at which a row ends its stage; nullptr for other rows.
+const Goal* reached_goal(const PathState& path, const PathPoint& point) {
+    for (const Goal& goal : path.goals)
+        if (std::abs(value_of(goal.constraint, point) - goal.target) <= goal_tolerance * std::abs(goal.target))
+            return &goal;
+    return nullptr;
+}
+
+/// A function of the corresponding numbers of two starts.
+StageStart combine(StageStart a, const StageStart& b, const auto& function) {
+    for (const auto list : {&StageStart::pressures_Pa, &StageStart::volumes_m3, &StageStart::masses_kg,
+                            &StageStart::dead_loads, &StageStart::motions})
+        std::ranges::transform(a.*list, b.*list, (a.*list).begin(), function);
+    return a;
+}
+
+std::vector<double> quotient(const std::vector<double>& after, const std::vector<double>& before, double change) {
+    std::vector<double> slopes;
+    for (std::size_t i = 0; i < after.size(); ++i) slopes.push_back((after[i] - before[i]) / change);
+    return slopes;
+}
+
+/// Leading load and outputs; angles continue from those of `point`.
+std::vector<double> values_at(fem::System& system, const StageLoads& loads, const State& state,
+                              const PathPoint& point) {
+    system.prescribe(loads.levels(state.load_factor, state.pressures_Pa));
+    std::vector<double> values{leading_of(system.input(), loads, state)};
+    for (std::size_t i = 0; i < point.outputs.size(); ++i) {
+        const double value = system.outputs().value(i, state.x, nullptr);
+        const bool wraps = model::is_angle(system.input().outputs[i].measure);
+        values.push_back(wraps ? std::remainder(value - point.outputs[i], 2.0 * std::numbers::pi) : value);
+    }
+    return values;
+}
+
+}  // namespace
+
+/// One of the two systems between which a derivative is a difference.
+struct Sensitivities::Side {
+    double change = 0;  ///< of the value
+    fem::System* system = nullptr;
+    const StageLoads* loads = nullptr;
+};
+
+/// Residual and equations of the supplies.
+struct Sensitivities::End {
+    linalg::Vector R;
+    std::vector<double> equations;
+};
+
+struct Sensitivities::Parameter {
+    /// A system that is made when it is needed first.
+    struct Varied {
+        double change = 0;
+        const model::Case* input = nullptr;
+        std::unique_ptr<fem::System> system = {};
+        std::vector<double> undeformed_volumes_m3 = {};
+        int stage = -1;
+        std::optional<StageLoads> loads = {};
+    };
+    std::array<Varied, 2> varied;
+    bool is_rough = false;        ///< the change is too large for a difference to one side
+    StageStart start_slope = {};  ///< derivative of the start of the next stage
+
+    [[nodiscard]] Side side(std::size_t which, const PathState& path, const PathPoint& point, const fem::System& base) {
+        Varied& at = varied[which];
+        if (!at.system) {
+            at.system = std::make_unique<fem::System>(*at.input, base.comm(), base.dofs().cell_rank);
+            at.undeformed_volumes_m3 = solver::undeformed_volumes_m3(*at.system);
+        }
+        if (at.stage != path.stage) {
+            at.stage = path.stage;
+            at.loads.emplace(*at.input, at.stage,
+                             at.stage == 0
+                                 ? unloaded(*at.input, at.undeformed_volumes_m3)
+                                 : combine(path.loads->start(), start_slope,
+                                           [&](double start, double slope) { return start + at.change * slope; }),
+                             at.undeformed_volumes_m3);
+        }
+        let_contact_rest(*at.system, point, point);
+        return {at.change, at.system.get(), &*at.loads};
+    }
+};
+
+Sensitivities::Sensitivities(const fem::System& base, std::span<const std::array<model::Case, 2>> variations)
+    : base_(base) {
+    for (std::size_t i = 0; i < variations.size(); ++i) {
+        const model::DesignParameter& of = base.input().parameters[i];
+        parameters_.emplace_back();
+        parameters_.back().varied[0] = {.change = of.lower - of.value, .input = &variations[i][0]};
+        parameters_.back().is_rough = of.higher - of.value > small_change * std::abs(of.value);
+        parameters_.back().varied[1] = {.change = of.higher - of.value, .input = &variations[i][1]};
+    }
+}
+
+Sensitivities::~Sensitivities() = default;
+
+Sensitivities::End Sensitivities::evaluate_at(Side& side, const PathPoint& point) const {
+    const State& state = point.state;
+    End end{linalg::duplicate(state.x), {}};
+    static_cast<void>(
+        side.system->evaluate(state.x, side.loads->levels(state.load_factor, state.pressures_Pa), end.R, nullptr));
+    const auto& free = side.loads->free_supplies();
+    for (std::size_t k = 0; k < free.size(); ++k) {
+        const double volume = side.system->volumes().of_load(free[k], state.x, nullptr);
+        end.equations.push_back(side.loads->equation(k, volume, state.pressures_Pa[k], state.load_factor).value);
+    }
+    return end;
+}
+
+void Sensitivities::evaluate(Corrector& corrector, const PathState& path, const PathPoint& point, model::Step& step) {
+    const Corrector::Memory memory = corrector.memory();
+    Newton& newton = corrector.newton();
+    const Constraint along{ConstraintKind::arc, 0, point.state.x, point.tangent.x};
+    if (!newton.tangent(along, point.state)) throw singular("the tangent of a row is singular");
+    Side base{0, &corrector.system(), &*path.loads};
+    const End at_base = evaluate_at(base, point);
+    const bool stage_follows = path.stage + 1 < static_cast<int>(corrector.input().path.stages.size());
+    const Goal* goal = stage_follows ? reached_goal(path, point) : nullptr;
+    for (Parameter& parameter : parameters_) {
+        const bool to_higher = parameter.varied[1].change > 0;
+        const bool is_central = point.touches || parameter.is_rough || !to_higher;
+        Side lower = is_central && parameter.varied[0].change < 0 ? parameter.side(0, path, point, base_) : base;
+        Side higher = to_higher ? parameter.side(1, path, point, base_) : base;
+        const double change = higher.change - lower.change;
+        const End before = lower.change < 0 ? evaluate_at(lower, point) : End{copy_of(at_base.R), at_base.equations};
+        const End after = higher.change > 0 ? evaluate_at(higher, point) : End{copy_of(at_base.R), at_base.equations};
+        linalg::add(before.R, -1.0, after.R);
+        SOFT_PETSC(VecScale(before.R, 1.0 / change));  // -dR/dtheta
+        const auto moved_at = newton.bordered_solve(before.R, quotient(before.equations, after.equations, change));
+        if (!moved_at) throw singular("the linear system of a derivative is not solved");
+        const auto values = [&](const Side& side) {
+            return values_at(*side.system, *side.loads, moved(point.state, side.change, *moved_at), point);
+        };
+        const auto slopes = quotient(values(higher), values(lower), change);
+        step.derivatives.insert(step.derivatives.end(), slopes.begin(), slopes.end());
+        if (goal == nullptr) continue;
+        // The next stage starts where the quantity of the goal keeps its value.
+        const auto moved_point = [&](const Side& side, const PathTangent& direction) {
+            const std::size_t supplies = point.state.pressures_Pa.size();
+            PathPoint at{moved(point.state, side.change, direction),
+                         {linalg::duplicate(point.state.x), 0, std::vector(supplies, 0.0), {}, 0}};
+            SOFT_PETSC(VecZeroEntries(at.tangent.x));
+            read_values(*side.system, *side.loads, &point, at);
+            return at;
+        };
+        PathTangent direction{copy_of(moved_at->x), moved_at->load_factor, moved_at->pressures, {}, 0};
+        const double by_parameter = (value_of(goal->constraint, moved_point(higher, direction)) -
+                                     value_of(goal->constraint, moved_point(lower, direction))) /
+                                    change;
+        const double back = -by_parameter / slope_of(goal->constraint, point);
+        linalg::add(direction.x, back, point.tangent.x);
+        direction.load_factor += back * point.tangent.load_factor;
+        for (std::size_t k = 0; k < direction.pressures.size(); ++k)
+            direction.pressures[k] += back * point.tangent.pressures[k];
+        const auto start = [&](const Side& side) {
+            return stage_start_at(side.system->input(), *side.loads, moved_point(side, direction));
+        };
+        parameter.start_slope = combine(start(higher), start(lower), [&](double after_it, double before_it) {
+            return (after_it - before_it) / change;
+        });
+    }
+    corrector.system().prescribe(point.levels);
+    corrector.restore(memory);
+}
+
+}  // namespace soft::solver

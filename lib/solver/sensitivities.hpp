@@ -1,0 +1,43 @@
+#pragma once
+/// Derivatives of the rows of a path by numbers of the design, theta: dimensions, constants of materials, loads, obstacles.
+/// A row satisfies R(x, lambda, p; theta) = 0 and e_k(..; theta) = 0 (newton.hpp). Its derivative at a fixed position along the path,
+///   M (dx, dlambda, dp) = -(dR/dtheta, de/dtheta, 0),     M the bordered matrix of the row with the constraint t . dx = 0, t = dx/dq,
+/// exists at limit points too. dR/dtheta, de/dtheta and the derivatives of the outputs are differences between two systems with theta a
+/// little smaller and larger (geometry/variations.hpp), at the same state and at the states moved along the derivative; so they include
+/// whatever depends on theta: nodes, constants, loads, contact, definitions of outputs. With D the derivative of the leading load or of an
+/// output, and T their slopes along the path, the derivative
+///   of the load at a fixed output is D_load - T_load D_output / T_output, at a limit point that of the limit load,
+///   of the output at a fixed load  D_output - T_output D_load / T_load.
+/// Source: Haug, Choi and Komkov, Design Sensitivity Analysis of Structural Systems (1986); Reitinger, Bletzinger and Ramm, Comput. Syst. Eng. 5
+/// (1994) 65, for limit loads. The form by the tangent of the path: derived here.
+/// Tested by solver/sensitivities_test and pipeline/sensitivities.
+#include <array>
+#include <span>
+#include <vector>
+
+#include "solver/corrector.hpp"
+#include "solver/path_state.hpp"
+
+namespace soft::solver {
+
+class Sensitivities {
+public:
+    /// `base`: the system of the path. `variations`: the cases with the lower and the higher value of each of its parameters. Both must
+    /// outlive this.
+    Sensitivities(const fem::System& base, std::span<const std::array<model::Case, 2>> variations);
+    ~Sensitivities();
+
+    /// Fills step.derivatives. Collective. Throws Error (bad_input) where the bordered matrix is singular.
+    void evaluate(Corrector& corrector, const PathState& path, const PathPoint& point, model::Step& step);
+
+private:
+    struct Side;
+    struct Parameter;
+    struct End;
+    [[nodiscard]] End evaluate_at(Side& side, const PathPoint& point) const;
+
+    const fem::System& base_;
+    std::vector<Parameter> parameters_;
+};
+
+}  // namespace soft::solver

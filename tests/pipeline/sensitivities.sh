@@ -1,0 +1,70 @@
+#!/usr/bin/env bash
+# Sensitivities pass through the pipeline: against runs with other values and closed forms, tolerances, resume, ranks, refusals.
+#   sensitivities.sh BIN CMAKE
+. "$(dirname "${BASH_SOURCE[0]}")/check.sh"
+
+# cell NAME PARAMETER FILE: of the last line of a parameter
+cell() { { head -n 1 "$3"; grep ",$2," "$3" | tail -n 1; } >one.csv && column "$1" one.csv; }
+ratio() { awk -v a="$1" -v b="$2" 'BEGIN { print a / b }'; }
+# slope COLUMN KEY VALUE UNIT COMMAND: central difference of the last row of two runs with the value 0.1 % smaller and larger
+slope() {
+    local up down
+    up=$(awk -v v="$3" 'BEGIN { printf "%.15g", v * 1.001 }')
+    down=$(awk -v v="$3" 'BEGIN { printf "%.15g", v * 0.999 }')
+    run "$5 --set $2=$up$4 | solve -q | postprocess -q -o up.csv; $5 --set $2=$down$4 | solve -q | postprocess -q -o down.csv"
+    awk -v a="$(column "$1" up.csv | tail -n 1)" -v b="$(column "$1" down.csv | tail -n 1)" -v h="$(awk -v v="$3" 'BEGIN { print v * 0.002 }')" \
+        'BEGIN { printf "%.12g", (a - b) / h }'
+}
+compare() {   # compare CELL COLUMN KEY VALUE UNIT COMMAND TOLERANCE
+    local r
+    r=$(ratio "$(cell "$1" "$3" table.csv)" "$(slope "$2" "$3" "$4" "$5" "$6")")
+    claim "$1 by $3 is the difference of two runs: $r" within "$r" "$(awk -v t="$7" 'BEGIN { print 1 - t }')" "$(awk -v t="$7" 'BEGIN { print 1 + t }')"
+}
+
+# A fixed displacement: the load changes.
+bellows='mesh-gen -q designs/bellows.yaml --set mesh.size=3mm --set path.until.elongation=40mm'
+runs "$bellows -o plain.h5 && solve -q plain.h5 | postprocess -q -o plain.csv"
+runs "$bellows --sensitivity geometry.wall,material.mu -o case.h5 && solve -q case.h5 -o k.h5 && postprocess -q k.h5 -o curve.csv"
+claim "the curve is unchanged" cmp plain.csv curve.csv
+cp k.h5 whole.h5
+runs 'postprocess -q k.h5 --sensitivity -o table.csv'
+claim "each row has a line for each number" [ "$(wc -l <table.csv)" = $((2 * $(wc -l <curve.csv) - 1)) ]
+compare d_load pressure_kPa geometry.wall 3 mm "$bellows" 2e-4
+compare d_load pressure_kPa material.mu 0.1644 MPa "$bellows" 1e-4
+runs 'postprocess -q k.h5 --tolerances geometry.wall=0.1mm,material.mu=5% -o band.csv --plot band.svg'
+claim "the band of the worst case is the sum" within "$(ratio "$(column band_worst_pressure_kPa band.csv | tail -n 1)" \
+    "$(awk -v a="$(cell d_load geometry.wall table.csv)" -v b="$(cell d_load material.mu table.csv)" 'BEGIN { print 0.1 * a + 0.05 * 0.1644 * b }')")" 0.999999 1.000001
+claim "the plot shows the band" grep -q 'uncertainty of the constants\|<path' band.svg
+
+# A run that the limit of the file size stops after some rows; two ranks.
+run "(ulimit -f $(($(stat -c %s case.h5) / 1024 + 500)); exec solve -q case.h5 -o k.h5)"
+claim "the run is stopped" exits 74
+runs 'solve -q --resume k.h5 && cmp k.h5 whole.h5'
+runs 'mpirun -n 2 solve -q case.h5 -o two.h5 && postprocess -q two.h5 --sensitivity -o two.csv'
+claim "two ranks give the same derivatives" near <(cut -d, -f2,3,5,7-8 table.csv | grep -v ',,\|,$') <(cut -d, -f2,3,5,7-8 two.csv | grep -v ',,\|,$') 1e-6
+
+# A fixed load, in contact; several outputs; a follower pressure.
+vacuum='mesh-gen -q designs/vacuum.yaml --set loads.cavity.pressure=-5kPa'
+runs "$vacuum --sensitivity geometry.pitch,material.mu | solve -q | postprocess -q --sensitivity -o table.csv"
+claim "the actuator touches itself" [ "$(wc -l <table.csv)" -gt 10 ]
+compare d_output elongation_mm geometry.pitch "$(cell value geometry.pitch table.csv)" mm "$vacuum" 5e-4
+compare d_output elongation_mm material.mu "$(cell value material.mu table.csv)" "$(cell unit material.mu table.csv)" "$vacuum" 5e-4
+
+# Thin sphere: the limit pressure is proportional to mu t / R (thin shell: 0.62 mu t / R x 2), so to mu, and to (b - a) / a.
+shell="mesh-gen -q designs/sphere.yaml --set geometry.inner_radius=100mm --set geometry.outer_radius=101mm --set 'outputs={growth: {face: outer, along: r}}' --set path.until.volume_ratio=4"
+runs "$shell --sensitivity all | solve -q --json solve.json | postprocess -q --sensitivity -o table.csv"
+row=$(json solve.json limit_points 0 step)
+grep "^step\|^$row," table.csv >limit.csv
+claim "d ln p / d ln mu = 1" within "$(cell d_load_percent material.mu limit.csv)" 0.9999 1.0001
+claim "d ln p / d ln b = b / t" within "$(ratio "$(cell d_load_percent geometry.outer_radius limit.csv)" 101)" 0.98 1.02
+claim "d ln p / d ln a = -b / t" within "$(ratio "$(cell d_load_percent geometry.inner_radius limit.csv)" -101)" 0.98 1.02
+claim "a limit point has no derivative of the output" [ -z "$(cell d_output material.mu limit.csv)" ]
+
+refuses 64 'mesh-gen: --sensitivity geometry.wal: not a number of the design that differs from 0; did you mean*' \
+    'mesh-gen -q designs/bellows.yaml --sensitivity geometry.wal -o x.h5'
+refuses 65 'mesh-gen: --sensitivity: paths with friction have no sensitivities; *' \
+    'mesh-gen -q designs/bellows.yaml --set contact.friction=0.3 --sensitivity all -o x.h5'
+refuses 64 'solve: --tolerance: error bars are not available with sensitivities; *' 'solve -q case.h5 --tolerance 1% -o x.h5'
+refuses 64 'solve: --set material.mu: the case contains the sensitivities at another value; *' 'solve -q case.h5 --set material.mu=1MPa -o x.h5'
+refuses 64 'postprocess: --sensitivity: the result has no sensitivities; *' 'solve -q plain.h5 | postprocess -q --sensitivity'
+refuses 64 'postprocess: --tolerances geometry.neck=1mm: the result has no sensitivity to this number*' 'postprocess -q whole.h5 --tolerances geometry.neck=1mm'

@@ -1,0 +1,79 @@
+#include "post/sensitivity.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "path_samples.hpp"
+
+namespace soft::post {
+namespace {
+
+/// p = 2 w u with the displacement u [m] and a wall w = 3 mm; at a fixed position along the path u' = 0.5 m/m. kPa, mm.
+struct Spring {
+    model::Case model = test::sample_case({"elongation"});
+    std::vector<model::Step> steps;
+
+    Spring() {
+        model.parameters = {{"geometry.wall", "mm", 1e-3, 3e-3, 0, 0}};
+        constexpr double w = 3e-3, factor = 2e9;
+        for (const double u : {0.01, 0.02, 0.04}) {
+            model::Step step;
+            step.pressure_Pa = factor * w * u;
+            step.tangent_pressure = 7 * factor * w;
+            step.outputs = {u};
+            step.tangent_outputs = {7};
+            step.derivatives = {factor * u + factor * w * 0.5, 0.5};
+            steps.push_back(step);
+        }
+    }
+};
+
+TEST(Sensitivity, TableHasTheDerivativesAtAFixedOutputAndAtAFixedLoad) {
+    const Spring spring;
+    const Curve curve = make_curve(spring.model, spring.steps);
+    const std::string text = sensitivity_csv(curve, spring.model, std::array{2});
+    const std::size_t first = text.find('\n') + 1, second = text.find('\n', first) + 1;
+    EXPECT_EQ(text.substr(0, first - 1),
+              "step,pressure_kPa,elongation_mm,parameter,value,unit,d_load,d_output,d_load_percent,d_output_percent");
+    // d_load = 2e9 u per m = 20 kPa/mm at 10 mm; d_output = -u/w; both in percent: 1 and -1
+    double d_load = 0, d_output = 0, load_percent = 0, output_percent = 0;
+    ASSERT_EQ(std::sscanf(text.c_str() + first, "0,60,10,geometry.wall,3,mm,%lf,%lf,%lf,%lf", &d_load, &d_output,
+                          &load_percent, &output_percent),
+              4);
+    EXPECT_NEAR(d_load, 20, 1e-9);
+    EXPECT_NEAR(d_output, -10.0 / 3, 1e-9);
+    EXPECT_NEAR(load_percent, 1, 1e-9);
+    EXPECT_NEAR(output_percent, -1, 1e-9);
+    const std::string third = text.substr(text.find('\n', second) + 1);
+    EXPECT_NE(third.find(",,"), std::string::npos);  // a limit row has no d_output
+    EXPECT_TRUE(third.ends_with(",\n"));
+}
+
+TEST(Sensitivity, BandOfTolerancesAddsSquaresOrSizes) {
+    Spring spring;
+    spring.model.parameters.push_back({"material.mu", "MPa", 1e6, 1e6, 0, 0});
+    for (model::Step& step : spring.steps) {
+        step.derivatives.push_back(step.pressure_Pa / 1e6);
+        step.derivatives.push_back(0);
+    }
+    Curve curve = make_curve(spring.model, spring.steps);
+    const std::vector<std::string> texts{"geometry.wall=0.1mm", "material.mu=4%"};
+    const auto [key, share] = add_tolerance_band(curve, spring.model, parse_tolerances(texts, spring.model));
+    // last row: 240 kPa; wall 80 kPa/mm x 0.1 mm = 8 kPa; mu 9.6 kPa
+    EXPECT_NEAR(curve.find("band_worst_pressure")->values.back(), 17.6, 1e-9);
+    EXPECT_NEAR(curve.find("band_rss_pressure")->values.back(), std::hypot(8, 9.6), 1e-9);
+    EXPECT_EQ(key, "material.mu");
+    EXPECT_NEAR(share, 9.6 * 9.6 / (64 + 9.6 * 9.6), 1e-9);
+    EXPECT_NEAR(tolerance_band(curve).widths[0].linear.back(), std::hypot(8, 9.6), 1e-9);
+}
+
+TEST(Sensitivity, TolerancesAreOfNumbersThatHaveOne) {
+    const Spring spring;
+    for (const char* text : {"geometry.wal=0.1mm", "geometry.wall", "geometry.wall=0.1kPa", "geometry.wall=-1mm"})
+        EXPECT_THROW(static_cast<void>(parse_tolerances(std::vector<std::string>{text}, spring.model)), Error) << text;
+}
+
+}  // namespace
+}  // namespace soft::post
