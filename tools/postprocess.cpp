@@ -79,7 +79,11 @@ ExitCode postprocess(const PostprocessOptions& options) {
                                                 : post::csv_text(table, lines));
     std::vector<post::PlotSeries> series = plot_series(options.plot, result, curve);
     if (!options.tolerances.empty()) series.front().band = post::tolerance_band(curve);
-    draw_plot(options.plot, series, comparison ? &comparison->measured : nullptr, result.model.name);
+    if (options.sensitivity && !options.plot.file.empty())
+        post::run_gnuplot(post::sensitivity_script(table, result.model, post::picture_format(options.plot.file)),
+                          options.plot.file);
+    else
+        draw_plot(options.plot, series, comparison ? &comparison->measured : nullptr, result.model.name);
     make_pictures(
         options.pictures,
         {result, image, curve, table, options.at.empty() ? PictureInput::Rows::last : PictureInput::Rows::requested},

@@ -159,7 +159,7 @@ std::optional<PostprocessOptions> parse_postprocess_options(int argc, char** arg
     app.add_flag(
         "--sensitivity", options.sensitivity,
         "Print the derivatives of the curve by the numbers of the design that mesh-gen --sensitivity named: of the load at "
-        "a fixed first output, and of the output at a fixed load");
+        "a fixed first output, and of the output at a fixed load; --plot draws the relative ones at the last row as bars");
     app.add_option(
            "--tolerances", options.tolerances,
            "Add the band of the load that these tolerances cause (columns band_rss and band_worst); --plot draws it")

@@ -35,11 +35,11 @@ struct PostprocessOptions {
     std::string input;
     std::vector<std::string> at;
     bool comments = false;
-    bool lists_outputs = false;     ///< list the columns of RESULT, or all possible columns without RESULT
-    std::vector<std::string> also;  ///< additional columns
+    bool lists_outputs = false;           ///< list the columns of RESULT, or all possible columns without RESULT
+    std::vector<std::string> also;        ///< additional columns
     bool sensitivity = false;             ///< the table is that of the sensitivities
     std::vector<std::string> tolerances;  ///< KEY=VALUE
-    bool wants_table = true;        ///< false: another output was requested, without -o
+    bool wants_table = true;              ///< false: another output was requested, without -o
     PlotOptions plot;
     CompareOptions compare;
     CheckOptions check;

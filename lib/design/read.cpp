@@ -144,7 +144,7 @@ FaceNames face_names(const Node& root, std::string_view source, const FamilyKeys
     return names;
 }
 
-/// The single numbers of the design that are neither counts nor settings of the computation.
+/// The numbers of the design that are neither counts nor settings of the computation; those of a list as "material.mu.1".
 std::vector<model::DesignParameter> parameters_of(std::span<const Item> items) {
     std::vector<model::DesignParameter> parameters;
     for (const Item& item : items) {
@@ -154,13 +154,20 @@ std::vector<model::DesignParameter> parameters_of(std::span<const Item> items) {
                                  key.starts_with("obstacles.") ||
                                  (key.starts_with("path.stages.") && key.find(".loads.") != std::string::npos);
         const auto dimension = dimension_of(item.key.kind);
-        if (!is_physical || !dimension || key.find(".fit.") != std::string::npos || item.entry.numbers.size() != 1 ||
-            item.entry.number == 0)
+        if (!is_physical || !dimension || key.find(".fit.") != std::string::npos) continue;
+        const auto add = [&](std::string name, const std::string& text, double value) {
+            if (value == 0) return;
+            const auto [number, unit] = core::quantity_parts(text);
+            const double unit_SI = core::quantity_or_throw(std::string{"1 "}.append(unit), *dimension,
+                                                           ExitCode::internal, item.entry.location);
+            parameters.push_back({std::move(name), unit, unit_SI, value});
+        };
+        if (item.list.empty()) {
+            add(key, item.entry.text, item.entry.number);
             continue;
-        const auto [number, unit] = core::quantity_parts(item.entry.text);
-        const double unit_SI = core::quantity_or_throw("1" + (unit.empty() ? "" : " " + unit), *dimension,
-                                                       ExitCode::internal, item.entry.location);
-        parameters.push_back({key, unit, unit_SI, item.entry.number});
+        }
+        for (std::size_t i = 0; i < item.list.size(); ++i)
+            add(key + "." + std::to_string(i + 1), item.list[i], item.entry.numbers[i]);
     }
     return parameters;
 }

@@ -39,10 +39,23 @@ bool changes_mesh(const std::string& key) { return key.starts_with("geometry.") 
 std::pair<model::Variation::Side, double> side_at(const design::Design& design, const Built& built,
                                                   const model::DesignParameter& parameter, double value,
                                                   std::string_view source) {
-    const std::string text = core::number_text(value / parameter.SI_per_unit) + " " + parameter.unit;
-    const design::Override change{parameter.key, std::string{core::trimmed(text)}, {}};
+    const auto text_of = [&](double number) {
+        const std::string text = core::number_text(number / parameter.SI_per_unit);
+        return parameter.unit.empty() ? text : text + " " + parameter.unit;
+    };
+    design::Override change{parameter.key, text_of(value), {}};
+    std::size_t index = 0;
+    if (!design.values.has(parameter.key)) {  // an element of a list
+        const std::size_t dot = parameter.key.rfind('.');
+        change.path = parameter.key.substr(0, dot);
+        index = static_cast<std::size_t>(std::stoi(parameter.key.substr(dot + 1))) - 1;
+        std::vector<std::string> elements;
+        for (const double number : design.values.numbers(change.path)) elements.push_back(text_of(number));
+        elements[index] = text_of(value);
+        change.value = "[" + core::join(elements) + "]";
+    }
     const design::Design varied = design::read_design(design.effective_yaml, source, catalogue_keys(), {&change, 1});
-    const double read = varied.values.number(parameter.key);
+    const double read = varied.values.numbers(change.path)[index];
     if (!changes_mesh(parameter.key)) return {{built.model.mesh.points, built.shape, varied.effective_yaml}, read};
     MeshedShape made = make_shape(varied);
     if (!has_same_cells(made.mesh, built.model.mesh))

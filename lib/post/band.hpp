@@ -27,6 +27,7 @@ struct Band {
         [[nodiscard]] double half(std::size_t row) const noexcept;
     };
     std::vector<Width> widths;
+    std::string meaning = "±1 standard deviation";  ///< in the legend of a plot
     std::vector<int> samples;  ///< number of samples that reach the value, per row; empty: not sampled
 
     [[nodiscard]] const Width* find(std::size_t column) const noexcept;  ///< nullptr if the table has no such column

@@ -216,7 +216,7 @@ std::string suffix_of(const std::string& unit) {
 
 /// The stiffness along the path, and the derivatives of the load at a fixed first output (sensitivity.hpp).
 void add_derivatives(std::vector<Entry>& entries, const model::Case& model) {
-    if (model.outputs.empty()) return;
+    if (model.outputs.empty() || model.parameters.empty()) return;
     const Column load = leading_column(model);
     const Unit per = column_unit(model.outputs.front().measure);
     const auto add = [&](const std::string& quantity, const std::string& unit, double SI_per_unit, std::string meaning,
@@ -232,11 +232,7 @@ void add_derivatives(std::vector<Entry>& entries, const model::Case& model) {
     };
     const auto stiffness = [](const Step& step) { return step.tangent_pressure / step.tangent_outputs[0]; };
     add("stiffness", std::string{per.suffix}, per.SI_per_unit, "slope of the load over the first output along the path",
-        [=, is_finite = model.parameters.empty()](const Step& step) {
-            const bool is_defined =
-                !step.motion && !step.tangent_outputs.empty() && (!is_finite || step.tangent_outputs[0] != 0);
-            return is_defined ? Value(stiffness(step)) : std::nullopt;
-        });
+        [=](const Step& step) { return step.tangent_outputs.empty() ? std::nullopt : Value(stiffness(step)); });
     const std::size_t quantities = 1 + model.outputs.size();
     for (std::size_t i = 0; i < model.parameters.size(); ++i) {
         const model::DesignParameter& parameter = model.parameters[i];

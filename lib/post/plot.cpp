@@ -166,7 +166,8 @@ void add_legend(Script& script, std::span<const PlotSeries> series, const PlotAx
         for (std::size_t i = 0; i < series.size(); ++i) script.legend(shown + sign(i), gnuplot_text(series[i].label));
     if (legend.unstable) script.legend("with lines linewidth 2 dashtype (8,6) linecolor rgb '#404040'", "'unstable'");
     if (legend.band) script.legend(filled + std::string{" linecolor rgb '#0072B2'"}, "'mesh error'");
-    if (legend.constants) script.legend(filled + std::string{" linecolor rgb '#E69F00'"}, "'±1 standard deviation'");
+    if (legend.constants)
+        script.legend(filled + std::string{" linecolor rgb '#E69F00'"}, gnuplot_text(series[0].band->meaning));
     if (legend.limits)
         script.legend("with points " + script.points(9, 2.2) + " linecolor rgb '#b00000'", "'limit point'");
     if (legend.bifurcations)

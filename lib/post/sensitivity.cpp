@@ -45,6 +45,36 @@ std::string sensitivity_csv(const Curve& table, const model::Case& model, std::s
     return text;
 }
 
+std::string sensitivity_script(const Curve& table, const model::Case& model, PictureFormat format) {
+    const Column &load = load_of(table), &output = *table.find(Source::output);
+    if (load.values.back() == 0)
+        throw Error(ExitCode::bad_input, "--plot", "the last row has no load, so there are no percentages",
+                    "choose another row with --at");
+    struct Bar {
+        std::string key;
+        double percent;
+    };
+    std::vector<Bar> bars;
+    for (const model::DesignParameter& parameter : model.parameters)
+        bars.push_back({parameter.key, derivative_of(table, parameter).values.back() * parameter.value /
+                                           parameter.SI_per_unit / load.values.back()});
+    std::ranges::stable_sort(bars, {}, [](const Bar& bar) { return std::abs(bar.percent); });  // upwards
+    std::string data, names;
+    for (std::size_t i = 0; i < bars.size(); ++i) {
+        data += core::number_text(bars[i].percent) + " " + std::to_string(i) + "\n";
+        names += (i == 0 ? "" : ", ") + gnuplot_text(bars[i].key) + " " + std::to_string(i);
+    }
+    constexpr const char* bar =
+        "using (0.5*$1):2:(0.5*abs($1)):(0.35) with boxxyerror fillstyle solid linecolor rgb '#0072B2' notitle";
+    return terminal(format) + axes_style() + "set title " +
+           gnuplot_text(model.name + ": " + load.quantity + " at " + value_text(output, output.values.back()) + " " +
+                        output.quantity) +
+           " noenhanced\nset xlabel " + gnuplot_text("change of the " + load.quantity + " (%) per 1 %") +
+           " noenhanced\nset ytics (" + names + ") noenhanced\nset yrange [-0.6:" + std::to_string(bars.size() - 1) +
+           ".6]\nset xzeroaxis\nset offsets graph 0.03, graph 0.03, 0, 0\n$bars << EOD\n" + data + "EOD\nplot $bars " +
+           bar + "\n";
+}
+
 std::vector<MakingTolerance> parse_tolerances(std::span<const std::string> texts, const model::Case& model) {
     std::vector<MakingTolerance> tolerances;
     for (const std::string& text : texts) {
@@ -113,6 +143,7 @@ Band tolerance_band(const Curve& curve) {
     const std::vector<double> none(curve.row_count(), std::numeric_limits<double>::quiet_NaN());
     return {{{curve.index_of(*load), load->values, curve.find(rss + load->quantity)->values, none},
              {curve.index_of(*output), output->values, none, none}},
+            "tolerances",
             {}};
 }
 

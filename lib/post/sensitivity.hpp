@@ -12,6 +12,7 @@
 
 #include "post/band.hpp"
 #include "post/curve.hpp"
+#include "post/gnuplot.hpp"
 
 namespace soft::post {
 
@@ -21,6 +22,10 @@ namespace soft::post {
 /// d_output at the rows `limit_rows`, percentages of 0.
 [[nodiscard]] std::string sensitivity_csv(const Curve& table, const model::Case& model,
                                           std::span<const int> limit_rows);
+
+/// The gnuplot script of a bar chart: d_load_percent of each parameter at the last row of `table`, the largest first. Throws Error (bad_input)
+/// for a row without load.
+[[nodiscard]] std::string sensitivity_script(const Curve& table, const model::Case& model, PictureFormat format);
 
 /// How far a number of the made part may be from that of the design.
 struct MakingTolerance {

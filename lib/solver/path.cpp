@@ -119,8 +119,10 @@ void PathFollower::step() {
     }
     path_.attempts.crossing = find_crossing(corrector_, listeners_, *point);
     if (path_.attempts.crossing) return recover();
+    const bool has_friction = system_.contact().has_friction();
+    const bool stays_in_contact = point->touches && path_.last->touches && !has_friction;
     const bool may_jump =
-        point->touches || (may_have_kinks(system_, *path_.last) && path_.attempts.failures < failures_before_kink);
+        stays_in_contact || ((system_.has_fibers() || has_friction) && path_.attempts.failures < failures_before_kink);
     if (may_jump && breaks_energy_balance(corrector_, path_, *point)) return recover();
     const double taken = point->q - path_.last->q;
     if (shorten_for_the_curve(system_, path_, aim, error.larger(), *point))

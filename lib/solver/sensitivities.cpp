@@ -44,9 +44,9 @@ std::vector<double> quotient(const std::vector<double>& after, const std::vector
     return slopes;
 }
 
-/// Leading load and outputs; angles continue from those of `point`.
-std::vector<double> values_at(fem::System& system, const StageLoads& loads, const State& state,
-                              const PathPoint& point) {
+/// Leading load, outputs and stretch; angles continue from those of `point`.
+std::vector<double> values_at(fem::System& system, const StageLoads& loads, const State& state, const PathPoint& point,
+                              WithStretch stretch) {
     system.prescribe(loads.levels(state.load_factor, state.pressures_Pa));
     std::vector<double> values{leading_of(system.input(), loads, state)};
     for (std::size_t i = 0; i < point.outputs.size(); ++i) {
@@ -54,6 +54,7 @@ std::vector<double> values_at(fem::System& system, const StageLoads& loads, cons
         const bool wraps = model::is_angle(system.input().outputs[i].measure);
         values.push_back(wraps ? std::remainder(value - point.outputs[i], 2.0 * std::numbers::pi) : value);
     }
+    if (stretch == WithStretch::yes) values.push_back(system.fields().stretches(state.x).p99);
     return values;
 }
 
@@ -106,8 +107,9 @@ struct Sensitivities::Parameter {
     }
 };
 
-Sensitivities::Sensitivities(const fem::System& base, std::span<const std::array<model::Case, 2>> variations)
-    : base_(base) {
+Sensitivities::Sensitivities(const fem::System& base, std::span<const std::array<model::Case, 2>> variations,
+                             WithStretch stretch)
+    : base_(base), stretch_(stretch) {
     for (std::size_t i = 0; i < variations.size(); ++i) {
         const model::DesignParameter& of = base.input().parameters[i];
         parameters_.emplace_back();
@@ -154,7 +156,7 @@ void Sensitivities::evaluate(Corrector& corrector, const PathState& path, const 
         const auto moved_at = newton.bordered_solve(before.R, quotient(before.equations, after.equations, change));
         if (!moved_at) throw singular("the linear system of a derivative is not solved");
         const auto values = [&](const Side& side) {
-            return values_at(*side.system, *side.loads, moved(point.state, side.change, *moved_at), point);
+            return values_at(*side.system, *side.loads, moved(point.state, side.change, *moved_at), point, stretch_);
         };
         const auto slopes = quotient(values(higher), values(lower), change);
         step.derivatives.insert(step.derivatives.end(), slopes.begin(), slopes.end());

@@ -20,11 +20,15 @@
 
 namespace soft::solver {
 
+/// Whether the derivatives of a row end with that of stretch_p99, a quantile over the cells.
+enum class WithStretch { no, yes };
+
 class Sensitivities {
 public:
     /// `base`: the system of the path. `variations`: the cases with the lower and the higher value of each of its parameters. Both must
     /// outlive this.
-    Sensitivities(const fem::System& base, std::span<const std::array<model::Case, 2>> variations);
+    Sensitivities(const fem::System& base, std::span<const std::array<model::Case, 2>> variations,
+                  WithStretch stretch = WithStretch::no);
     ~Sensitivities();
 
     /// Fills step.derivatives. Collective. Throws Error (bad_input) where the bordered matrix is singular.
@@ -37,6 +41,7 @@ private:
     [[nodiscard]] End evaluate_at(Side& side, const PathPoint& point) const;
 
     const fem::System& base_;
+    WithStretch stretch_;
     std::vector<Parameter> parameters_;
 };
 

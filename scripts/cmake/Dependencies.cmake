@@ -62,3 +62,4 @@ find_package(OpenMP REQUIRED COMPONENTS CXX)   # part of the compiler; for the t
 find_package(CGAL CONFIG REQUIRED)
 find_package(Ceres 2.1 REQUIRED)   # includes Eigen
 find_package(pugixml REQUIRED)
+pkg_check_modules(NLOPT REQUIRED IMPORTED_TARGET nlopt)

@@ -1,0 +1,255 @@
+#include "optimize/goal.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "core/text.hpp"
+#include "design/tree.hpp"
+
+namespace soft::optimize {
+namespace {
+
+using design::Member;
+using design::Node;
+using design::refuse;
+
+constexpr double usual_tolerance = 5e-3;
+
+const Node& member(const Node& map, const std::string& key, const std::string& path) {
+    const Node* found = design::find(map, key);
+    if (found == nullptr) refuse(map.location, path, "the key " + core::quoted(key) + " is missing");
+    return *found;
+}
+
+void require_map(const Node& node, const std::string& path, const std::string& example) {
+    if (node.kind != Node::Kind::map || node.members.empty())
+        refuse(node.location, path, "a group of keys is needed here", "write for example " + example);
+}
+
+void check_keys(const Node& map, const std::vector<std::string>& known, const std::string& path) {
+    for (const Member& one : map.members)
+        if (std::ranges::find(known, one.key) == known.end())
+            refuse(one.location, path, "unknown key " + core::quoted(one.key), core::did_you_mean(one.key, known));
+}
+
+struct Written {
+    double SI = 0;
+    std::string text, unit;
+    double SI_per_unit = 1;
+};
+/// The dimension follows from the unit.
+Written quantity_of(const Node& node, const std::string& path) {
+    if (node.kind != Node::Kind::scalar)
+        refuse(node.location, path, "a value is needed here", "write for example 20 kPa");
+    const core::QuantityParts parts = core::quantity_parts(node.text);
+    const auto dimension =
+        parts.unit.empty() || parts.unit == "%" ? core::Dimension::ratio : core::dimension_of(parts.unit);
+    if (!dimension)
+        refuse(node.location, path, core::quoted(parts.unit) + " is not a unit", "write for example 20 kPa");
+    const auto value = core::parse_quantity(node.text, *dimension);
+    if (const auto* refusal = std::get_if<core::Refusal>(&value))
+        refuse(node.location, path, refusal->problem, refusal->remedy);
+    const auto unit = core::parse_quantity("1 " + parts.unit, *dimension);
+    const double* SI = std::get_if<double>(&unit);
+    return {std::get<double>(value), core::tidy_quantity(node.text), parts.unit, SI == nullptr ? 1 : *SI};
+}
+
+bool is_whole_number(const Node& node) {
+    const auto parsed = core::parse_count(node.text);
+    return std::holds_alternative<long>(parsed);
+}
+
+Variable variable_of(const Member& member_of_vary) {
+    const std::string path = "vary." + member_of_vary.key;
+    const Node& range = member_of_vary.value;
+    require_map(range, path, "{from: 1.5 mm, to: 4 mm}");
+    check_keys(range, {"from", "to"}, path);
+    const Node &from = member(range, "from", path), &to = member(range, "to", path);
+    const Written low = quantity_of(from, path + ".from"), high = quantity_of(to, path + ".to");
+    if (!(low.SI < high.SI)) refuse(to.location, path + ".to", "is not larger than `from`");
+    if (low.unit.empty() != high.unit.empty())
+        refuse(to.location, path + ".to", "`from` and `to` are not of one kind", "write both with their unit");
+    return {member_of_vary.key, low.SI,         high.SI, is_whole_number(from) && is_whole_number(to),
+            low.unit,           low.SI_per_unit};
+}
+
+/// "geometry.bore_radius + 2 * geometry.wall"
+std::vector<Measure::Term> terms_of(const std::string& text, const std::string& location) {
+    std::vector<Measure::Term> terms;
+    for (const std::string& part : core::split(text, '+')) {
+        const std::vector<std::string> factors = core::split(part, '*');
+        Measure::Term term{1, factors.back()};
+        bool valid = factors.size() <= 2 && !term.key.empty();
+        if (factors.size() == 2) {
+            const auto [end, error] =
+                std::from_chars(factors[0].data(), factors[0].data() + factors[0].size(), term.factor);
+            valid = valid && error == std::errc{} && end == factors[0].data() + factors[0].size();
+        }
+        if (!valid)
+            refuse(location, text, core::quoted(part) + " is not a number of the design",
+                   "write for example geometry.bore_radius + 2 * geometry.wall");
+        terms.push_back(std::move(term));
+    }
+    return terms;
+}
+
+void read_at(const Node& entry, const std::string& path, Measure& measure) {
+    const Node& at = member(entry, "at", path);
+    require_map(at, path + ".at", "at: {pressure: 20 kPa}");
+    const Written value = quantity_of(at.members.front().value, path + ".at");
+    measure.at = at.members.front().key;
+    measure.at_SI = value.SI;
+    measure.at_text = value.text;
+    measure.text = measure.quantity + " at " + measure.at + " " + value.text;
+}
+
+/// A bound {below: 2} or {above: 2}.
+void read_bound(const Node& bound, const std::string& path, Condition& condition) {
+    require_map(bound, path, "{below: 2}");
+    check_keys(bound, {"below", "above"}, path);
+    condition.relation = bound.members.front().key == "below" ? Condition::Relation::below : Condition::Relation::above;
+    const Written value = quantity_of(bound.members.front().value, path);
+    condition.value_SI = value.SI;
+    condition.value_text = value.text;
+}
+
+/// The member of an entry that is neither `at` nor `within`.
+const Member& subject_of(const Node& entry, const std::string& path) {
+    require_map(entry, path, "{elongation: 60 mm, at: {pressure: 20 kPa}}");
+    const Member* subject = nullptr;
+    for (const Member& one : entry.members) {
+        if (one.key == "at" || one.key == "within") continue;
+        if (subject != nullptr)
+            refuse(one.location, path, core::quoted(one.key) + " is a second quantity", "write one entry for each");
+        subject = &one;
+    }
+    if (subject == nullptr)
+        refuse(entry.location, path, "no quantity", "write {elongation: 60 mm, at: {pressure: 20 kPa}}");
+    return *subject;
+}
+
+Condition target_of(const Node& entry, const std::string& path) {
+    const Member& subject = subject_of(entry, path);
+    if (subject.key == "curve")
+        refuse(subject.location, path, "targets that are curves are not available",
+               "give values of the curve: {elongation: 60 mm, at: {pressure: 20 kPa}}");
+    Condition condition;
+    condition.within = usual_tolerance;
+    if (const Node* within = design::find(entry, "within"))
+        condition.within = quantity_of(*within, path + ".within").SI;
+    if (!(condition.within > 0)) refuse(entry.location, path + ".within", "must be more than 0");
+    const Node* value = &subject.value;
+    condition.measure.quantity = subject.key;
+    if (subject.key == "limit") {
+        require_map(*value, path, "{limit: {pressure: 45 kPa}}");
+        condition.measure = {
+            Measure::Kind::limit, value->members.front().key, {}, 0, {}, {}, "limit " + value->members.front().key};
+        value = &value->members.front().value;
+    } else {
+        read_at(entry, path, condition.measure);
+    }
+    const Written wanted = quantity_of(*value, path);
+    if (wanted.SI == 0) refuse(value->location, path, "a target of 0 has no relative difference");
+    condition.value_SI = wanted.SI;
+    condition.value_text = wanted.text;
+    return condition;
+}
+
+Condition constraint_of(const Node& entry, const std::string& path) {
+    const Member& subject = subject_of(entry, path);
+    Condition condition;
+    if (subject.key == "limit") {
+        require_map(subject.value, path, "{limit: {pressure: {above: 40 kPa}}}");
+        const Member& load = subject.value.members.front();
+        condition.measure = {Measure::Kind::limit, load.key, {}, 0, {}, {}, "limit " + load.key};
+        read_bound(load.value, path, condition);
+        return condition;
+    }
+    read_bound(subject.value, path, condition);
+    condition.measure.quantity = condition.measure.text = subject.key;
+    if (design::find(entry, "at") != nullptr) {
+        read_at(entry, path, condition.measure);
+    } else if (subject.key == "rubber_volume" || subject.key == "cavity_volume") {
+        condition.measure.kind =
+            subject.key == "rubber_volume" ? Measure::Kind::rubber_volume : Measure::Kind::cavity_volume;
+    } else {
+        condition.measure.kind = Measure::Kind::keys;
+        condition.measure.terms = terms_of(subject.key, subject.location);
+    }
+    return condition;
+}
+
+std::optional<Measure> objective_of(const Node& node) {
+    const std::string path = "minimize";
+    if (node.kind == Node::Kind::scalar) {
+        if (node.text == "nothing") return std::nullopt;
+        if (node.text == "rubber_volume" || node.text == "cavity_volume")
+            return Measure{node.text == "rubber_volume" ? Measure::Kind::rubber_volume : Measure::Kind::cavity_volume,
+                           node.text,
+                           {},
+                           0,
+                           {},
+                           {},
+                           node.text};
+        refuse(node.location, path, core::quoted(node.text) + " is not an objective",
+               "write rubber_volume, cavity_volume, nothing, or {stretch_p99: {at: {pressure: 20 kPa}}}");
+    }
+    require_map(node, path, "{stretch_p99: {at: {pressure: 20 kPa}}}");
+    Measure measure;
+    measure.quantity = node.members.front().key;
+    require_map(node.members.front().value, path, "{stretch_p99: {at: {pressure: 20 kPa}}}");
+    read_at(node.members.front().value, path, measure);
+    return measure;
+}
+
+const std::vector<Node>& list_of(const Node& node, const std::string& path) {
+    if (node.kind != Node::Kind::list)
+        refuse(node.location, path, "a list is needed here", "write one line '- {...}' for each");
+    return node.items;
+}
+
+}  // namespace
+
+std::string Variable::text_of(double value_SI) const {
+    constexpr int digits = 7;  // below the accuracy of any mould
+    const std::string number = core::rounded_text(is_whole ? std::round(value_SI) : value_SI / SI_per_unit, digits);
+    return unit.empty() ? number : number + " " + unit;
+}
+
+Goal read_goal(std::string_view text, std::string_view source) {
+    const Node root = design::parse_yaml(text, source, {"goal", "see docs/tutorials/inverse.md for a goal"});
+    require_map(root, "", "design: bellows.yaml");
+    check_keys(root, {"design", "set", "vary", "targets", "minimize", "constraints"}, "");
+    Goal goal;
+    const Node& design_file = member(root, "design", "design");
+    goal.design_file = design_file.text;
+    goal.location = design_file.location;
+    if (const Node* set = design::find(root, "set"))
+        for (const Member& one : set->members) {
+            if (one.value.kind != Node::Kind::scalar)
+                refuse(one.location, "set." + one.key, "a single value is needed here",
+                       "write for example mesh.size: 2 mm");
+            goal.set.push_back({one.key, one.value.text, one.location});
+        }
+    const Node& vary = member(root, "vary", "vary");
+    require_map(vary, "vary", "{geometry.wall: {from: 1.5 mm, to: 4 mm}}");
+    for (const Member& one : vary.members) goal.variables.push_back(variable_of(one));
+    if (const Node* targets = design::find(root, "targets"))
+        for (const Node& entry : list_of(*targets, "targets")) goal.conditions.push_back(target_of(entry, "targets"));
+    if (const Node* constraints = design::find(root, "constraints"))
+        for (const Node& entry : list_of(*constraints, "constraints")) {
+            const Node* stable = design::find(entry, "stable");
+            if (stable != nullptr && stable->text == "true")
+                goal.stable = true;
+            else
+                goal.conditions.push_back(constraint_of(entry, "constraints"));
+        }
+    if (const Node* minimize = design::find(root, "minimize")) goal.minimize = objective_of(*minimize);
+    if (goal.conditions.empty() && !goal.minimize)
+        refuse(root.location, "targets", "the goal has no targets and minimizes nothing",
+               "add targets: [{elongation: 60 mm, at: {pressure: 20 kPa}}]");
+    return goal;
+}
+
+}  // namespace soft::optimize

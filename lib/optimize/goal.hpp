@@ -1,0 +1,76 @@
+#pragma once
+/// A goal of the inverse design: which numbers of a design may vary, which values its curve must have, and what is to be smallest.
+///
+///     design: bellows.yaml                     # from the folder of this file
+///     set: {mesh.size: 2 mm}                   # the same in all trials
+///     vary: {geometry.wall: {from: 1.5 mm, to: 4 mm}, geometry.convolutions: {from: 6, to: 14}}
+///     targets:
+///       - {elongation: 60 mm, at: {pressure: 20 kPa}, within: 1 %}     # within: 0.5 % if it is omitted
+///       - {limit: {pressure: 45 kPa}}                                  # the first limit point
+///     minimize: rubber_volume                  # rubber_volume | cavity_volume | nothing | {stretch_p99: {at: {pressure: 20 kPa}}}
+///     constraints:
+///       - {stretch_p99: {below: 2}, at: {pressure: 20 kPa}}
+///       - {geometry.bore_radius + 2 * geometry.wall: {below: 9 mm}}
+///       - {limit: {pressure: {above: 40 kPa}}}
+///       - {stable: true}
+/// Tested by optimize/goal_test.
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/units.hpp"
+#include "design/design.hpp"
+
+namespace soft::optimize {
+
+struct Variable {
+    std::string key;
+    double from = 0, to = 0;  ///< SI
+    bool is_whole = false;
+    std::string unit;  ///< as written; empty for a pure number
+    double SI_per_unit = 1;
+
+    /// "2.5 mm", as in a design.
+    [[nodiscard]] std::string text_of(double value_SI) const;
+};
+
+/// A number that follows from a trial.
+struct Measure {
+    enum class Kind { curve, limit, rubber_volume, cavity_volume, keys };
+    struct Term {
+        double factor = 1;
+        std::string key;
+    };
+    Kind kind = Kind::curve;
+    std::string quantity;  ///< curve: a column without its unit
+    std::string at;        ///< curve: the quantity whose value is given
+    double at_SI = 0;
+    std::string at_text = {};      ///< "20 kPa"
+    std::vector<Term> terms = {};  ///< keys: sum of factor x number of the design
+    std::string text;              ///< for messages: "elongation at pressure 20 kPa"
+};
+
+struct Condition {
+    enum class Relation { equal, below, above };
+    Measure measure;
+    Relation relation = Relation::equal;
+    double value_SI = 0;
+    std::string value_text;  ///< "60 mm"
+    double within = 0;       ///< equal: allowed relative difference
+};
+
+struct Goal {
+    std::string design_file;  ///< as written
+    std::string location;     ///< of design_file
+    std::vector<design::Override> set;
+    std::vector<Variable> variables;
+    std::vector<Condition> conditions;
+    std::optional<Measure> minimize;  ///< nullopt: nothing, then the differences from the targets
+    bool stable = false;              ///< the states up to the last value of a target must be stable
+};
+
+/// Throws Error (bad_input) with file, line, problem and remedy.
+[[nodiscard]] Goal read_goal(std::string_view text, std::string_view source);
+
+}  // namespace soft::optimize

@@ -1,0 +1,32 @@
+#pragma once
+/// Searches for the values of a goal's variables: sequential quadratic programming (SLSQP of NLopt; Kraft, ACM Trans. Math. Softw. 20 (1994)
+/// 262) in the continuous variables, from the values of the design and from points of a Latin hypercube; around whole numbers, neighbours
+/// are tried until none is better. A trial whose geometry or path fails ends the search from a point; it continues from the best trial so far
+/// in a box of half the size, which moves along. If no trial meets all conditions, the one with the smallest largest violation is returned.
+/// Variables are divided by their range, conditions by their value: a violation is a relative difference.
+/// Tested by optimize/search_test.
+#include <functional>
+
+#include "optimize/trial.hpp"
+
+namespace soft::optimize {
+
+struct Found {
+    std::vector<double> values;  ///< SI, of the variables
+    Trial trial;
+    double violation = 0;  ///< largest, beyond what is allowed; 0: all conditions are met
+    int trials = 0;
+};
+
+/// How far a condition is from being met, relative; 0 or less: met. An equality is met within Condition::within.
+[[nodiscard]] double violation_of(const Condition& condition, double value_SI);
+
+using Evaluate = std::function<Trial(const std::vector<double>& values)>;
+/// A trial that is better than all before.
+using Progress = std::function<void(const Found&)>;
+
+/// `first`: the values of the design. Throws Error (bad_input) if no trial succeeds, with the failure of the first one.
+[[nodiscard]] Found search(const Goal& goal, const std::vector<double>& first, int starts, const Evaluate& evaluate,
+                           const Progress& progress);
+
+}  // namespace soft::optimize

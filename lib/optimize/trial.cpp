@@ -1,0 +1,244 @@
+#include "optimize/trial.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "geometry/family.hpp"
+#include "geometry/variations.hpp"
+#include "mesh/cell_map.hpp"
+#include "post/curve.hpp"
+#include "post/interpolate.hpp"
+#include "solver/row_state.hpp"
+#include "solver/sensitivities.hpp"
+
+namespace soft::optimize {
+namespace {
+
+using Cases = std::vector<std::array<model::Case, 2>>;
+constexpr const char* stretch = "stretch_p99";
+
+double rubber_volume_m3(const model::Case& model) {
+    const auto kind =
+        model.kinematics == model::Kinematics::axisymmetric ? mesh::Measure::revolved : mesh::Measure::plain;
+    return mesh::measure(model.mesh, kind) / model.model_fraction;
+}
+
+/// Undeformed, of the first load.
+double cavity_volume_m3(const model::Case& model) {
+    fem::System system(model, PETSC_COMM_WORLD);
+    return system.volumes().has_volume(0) ? solver::undeformed_volumes_m3(system)[0] : 0;
+}
+
+/// A solved trial.
+struct Solved {
+    model::Case model;
+    Cases cases;                           ///< of the continuous variables
+    std::vector<std::size_t> variable_of;  ///< [case] index of its variable
+    std::vector<model::Step> steps;
+    model::PathEnd end;
+    post::Curve curve;
+
+    [[nodiscard]] double change(std::size_t k) const { return model.parameters[k].higher - model.parameters[k].lower; }
+};
+
+Error does_not_fit(const std::string& what, const std::string& problem, const std::string& remedy = {}) {
+    return {ExitCode::bad_input, what, problem, remedy};
+}
+
+/// The column of a quantity of the curve, and the index of its derivative among those of a row: 0 load, 1 ... outputs, then the stretch.
+struct Quantity {
+    const post::Column* column;
+    std::size_t index;
+};
+Quantity quantity_named(const Solved& solved, const std::string& name, const std::string& what) {
+    const post::Column* column = solved.curve.find(name);
+    const std::size_t outputs = solved.model.outputs.size();
+    if (column != nullptr && column->source == post::Source::load) return {column, 0};
+    if (column != nullptr && column->source == post::Source::output) return {column, 1 + column->index};
+    if (column != nullptr && name == stretch) return {column, 1 + outputs};
+    std::vector<std::string> known{solved.curve.find(post::Source::load)->quantity};
+    for (const model::Output& output : solved.model.outputs) known.push_back(output.name);
+    known.emplace_back(stretch);
+    throw does_not_fit(what, core::quoted(name) + " is neither the load nor an output",
+                       core::did_you_mean(name, known));
+}
+
+double slope_of(const model::Step& step, std::size_t index) {
+    return index == 0 ? step.tangent_pressure : step.tangent_outputs[index - 1];
+}
+
+/// d quantity / d at along the path, in SI units; the stretch has no slopes: from the neighbouring rows.
+double slope_ratio(const Solved& solved, std::size_t row, const Quantity& quantity, const Quantity& at) {
+    const auto& steps = solved.steps;
+    if (quantity.index <= solved.model.outputs.size())
+        return slope_of(steps[row], quantity.index) / slope_of(steps[row], at.index);
+    const std::size_t before = row > 0 ? row - 1 : 0, after = std::min(row + 1, steps.size() - 1);
+    const double turn = (at.column->values[after] - at.column->values[before]) * at.column->SI_per_unit;
+    return turn == 0 ? 0 : (steps[after].stretch_p99 - steps[before].stretch_p99) / turn;
+}
+
+/// Value and gradient of a quantity where the path first reaches a value of another one.
+Trial::Value value_on_curve(const Solved& solved, const Measure& measure, std::size_t variables) {
+    const Quantity quantity = quantity_named(solved, measure.quantity, measure.text),
+                   at = quantity_named(solved, measure.at, measure.text);
+    if (at.index > solved.model.outputs.size())
+        throw does_not_fit(measure.text, "`at` needs the load or an output",
+                           "write for example at: {pressure: 20 kPa}");
+    post::Curve curve = solved.curve;
+    const std::size_t shown = curve.index_of(*curve.find(measure.quantity)),
+                      prescribed = curve.index_of(*curve.find(measure.at)), first = curve.columns.size();
+    const std::size_t quantities = solved.model.outputs.size() + 2;  // load, outputs, stretch
+    for (std::size_t k = 0; k < solved.cases.size(); ++k) {
+        post::Column& column = curve.columns.emplace_back();
+        for (std::size_t row = 0; row < solved.steps.size(); ++row) {
+            const double* D = &solved.steps[row].derivatives[k * quantities];
+            column.values.push_back(D[quantity.index] - slope_ratio(solved, row, quantity, at) * D[at.index]);
+        }
+    }
+    const post::Path path(curve);
+    const double wanted = path.within_reach(prescribed, post::in_column_unit(curve.columns[prescribed], measure.at_SI));
+    const auto crossings = path.crossings(prescribed, wanted);
+    if (crossings.empty()) {
+        const auto [lowest, highest] = path.range(prescribed);
+        throw Error(ExitCode::stopped_early, measure.text,
+                    "the path reaches " + measure.at + " " + post::value_text(curve.columns[prescribed], lowest) +
+                        " to " + post::value_text(curve.columns[prescribed], highest));
+    }
+    const auto row = path.at(crossings.front());
+    Trial::Value value{row[shown] * curve.columns[shown].SI_per_unit, std::vector<double>(variables)};
+    for (std::size_t k = 0; k < solved.cases.size(); ++k) value.gradient[solved.variable_of[k]] = row[first + k];
+    return value;
+}
+
+Trial::Value limit_of(const Solved& solved, const Condition& condition, std::size_t variables) {
+    const Measure& measure = condition.measure;
+    const post::Column& load = *solved.curve.find(post::Source::load);
+    if (measure.quantity != load.quantity)
+        throw does_not_fit(measure.text, "the load of the design is " + load.quantity);
+    Trial::Value value{0, std::vector<double>(variables)};
+    if (solved.end.limit_points.empty()) {
+        for (const model::Step& step : solved.steps) value.value_SI = std::max(value.value_SI, step.pressure_Pa);
+        if (condition.relation == Condition::Relation::above && value.value_SI >= condition.value_SI) return value;
+        throw Error(ExitCode::stopped_early, measure.text,
+                    "the path has none up to " + post::value_text(load, post::in_column_unit(load, value.value_SI)),
+                    "request a larger load in the design");
+    }
+    const model::LimitPoint& point = solved.end.limit_points.front();
+    value.value_SI = point.pressure_Pa;
+    const model::Step& step = solved.steps[static_cast<std::size_t>(point.step)];
+    const std::size_t quantities = solved.model.outputs.size() + 2;
+    for (std::size_t k = 0; k < solved.cases.size(); ++k) {
+        const double* D = &step.derivatives[k * quantities];
+        value.gradient[solved.variable_of[k]] = D[0] - slope_of(step, 0) / slope_of(step, 1) * D[1];
+    }
+    return value;
+}
+
+Trial::Value volume_of(const Solved& solved, double (*volume)(const model::Case&), std::size_t variables) {
+    Trial::Value value{volume(solved.model), std::vector<double>(variables)};
+    for (std::size_t k = 0; k < solved.cases.size(); ++k)
+        value.gradient[solved.variable_of[k]] =
+            (volume(solved.cases[k][1]) - volume(solved.cases[k][0])) / solved.change(k);
+    return value;
+}
+
+Trial::Value sum_of_keys(const design::Design& design, const Goal& goal, const Measure& measure) {
+    Trial::Value value{0, std::vector<double>(goal.variables.size())};
+    for (const Measure::Term& term : measure.terms) {
+        if (!design.values.has(term.key))
+            throw does_not_fit(measure.text, core::quoted(term.key) + " is not a key of the design");
+        value.value_SI += term.factor * design.values.number(term.key);
+        for (std::size_t i = 0; i < goal.variables.size(); ++i)
+            if (goal.variables[i].key == term.key && !goal.variables[i].is_whole) value.gradient[i] += term.factor;
+    }
+    return value;
+}
+
+/// The path ends where its last value is measured, if all are given at values of one quantity; with a limit point it does not.
+std::optional<design::Override> end_of_path(const Goal& goal) {
+    const Measure* last = nullptr;
+    const auto consider = [&](const Measure& measure) {
+        if (measure.kind == Measure::Kind::limit) return false;
+        if (measure.kind != Measure::Kind::curve) return true;
+        if (last != nullptr && last->at != measure.at) return false;
+        if (last == nullptr || std::abs(measure.at_SI) > std::abs(last->at_SI)) last = &measure;
+        return true;
+    };
+    for (const Condition& condition : goal.conditions)
+        if (!consider(condition.measure)) return std::nullopt;
+    if (goal.minimize && !consider(*goal.minimize)) return std::nullopt;
+    if (last == nullptr) return std::nullopt;
+    return design::Override{"path.until." + last->at, last->at_text, {}};
+}
+
+Solved solve(const Goal& goal, const design::Design& design, const Base& base, const MakeContactCheck& contact_check) {
+    geometry::Built built = geometry::build_with_figures(design);
+    std::vector<std::string> keys;
+    Solved solved;
+    for (std::size_t i = 0; i < goal.variables.size(); ++i)
+        if (!goal.variables[i].is_whole) {
+            keys.push_back(goal.variables[i].key);
+            solved.variable_of.push_back(i);
+        }
+    const geometry::Variations varied = geometry::make_variations(design, built, keys, base.source);
+    for (const model::Variation& variation : varied.variations) {
+        const auto rebuild = [&](const model::Variation::Side& side) {
+            mesh::Mesh moved = built.model.mesh;
+            moved.points = side.points;
+            return geometry::rebuild_case(std::move(moved), side.shape, side.effective_yaml, base.source);
+        };
+        solved.cases.push_back({rebuild(variation.lower), rebuild(variation.higher)});
+        built.model.parameters.push_back(variation.parameter);
+    }
+    solved.model = std::move(built.model);
+    fem::System system(solved.model, PETSC_COMM_WORLD);
+    solver::Sensitivities sensitivities(system, solved.cases, solver::WithStretch::yes);
+    solver::Listeners listeners{.step = [&](const model::Step& step, Vec) { solved.steps.push_back(step); },
+                                .contact = contact_check(system)};
+    solved.end = solver::follow_path(system, listeners, nullptr, &sensitivities);
+    solved.curve = post::make_curve(solved.model, solved.steps);
+    return solved;
+}
+
+}  // namespace
+
+Trial evaluate(const Goal& goal, const Base& base, const std::vector<double>& values,
+               const MakeContactCheck& contact_check) {
+    std::vector<design::Override> overrides = goal.set;
+    if (const auto end = end_of_path(goal)) overrides.push_back(*end);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        overrides.push_back(
+            {goal.variables[i].key, goal.variables[i].text_of(values[i]), "vary." + goal.variables[i].key});
+    Trial trial;
+    const std::size_t count = goal.variables.size();
+    try {
+        const design::Design design =
+            design::read_design(base.text, base.source, geometry::catalogue_keys(), overrides);
+        const Solved solved = solve(goal, design, base, contact_check);
+        const auto measured = [&](const Measure& measure) {
+            switch (measure.kind) {
+                case Measure::Kind::curve: return value_on_curve(solved, measure, count);
+                case Measure::Kind::limit:  // only of conditions
+                case Measure::Kind::rubber_volume: return volume_of(solved, rubber_volume_m3, count);
+                case Measure::Kind::cavity_volume: return volume_of(solved, cavity_volume_m3, count);
+                case Measure::Kind::keys: break;
+            }
+            return sum_of_keys(design, goal, measure);
+        };
+        for (const Condition& condition : goal.conditions)
+            trial.conditions.push_back(condition.measure.kind == Measure::Kind::limit
+                                           ? limit_of(solved, condition, count)
+                                           : measured(condition.measure));
+        if (goal.minimize) trial.objective = measured(*goal.minimize);
+        for (const model::Step& step : solved.steps) trial.is_stable = trial.is_stable && step.stable;
+    } catch (const Error& error) {
+        if (error.code() != ExitCode::bad_input && error.code() != ExitCode::stopped_early) throw;
+        trial.failure = error.what();
+    }
+    return trial;
+}
+
+}  // namespace soft::optimize

@@ -1,0 +1,77 @@
+#include "optimize/goal.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+
+namespace soft::optimize {
+namespace {
+
+const std::string whole =
+    "design: bellows.yaml\n"
+    "set: {mesh.size: 2 mm}\n"
+    "vary:\n"
+    "  geometry.wall: {from: 1.5 mm, to: 4 mm}\n"
+    "  geometry.convolutions: {from: 6, to: 14}\n"
+    "targets:\n"
+    "  - {elongation: 60 mm, at: {pressure: 20 kPa}, within: 1 %}\n"
+    "  - {limit: {pressure: 45 kPa}}\n"
+    "minimize: rubber_volume\n"
+    "constraints:\n"
+    "  - {stretch_p99: {below: 2}, at: {pressure: 20 kPa}}\n"
+    "  - {geometry.bore_radius + 2 * geometry.wall: {below: 9 mm}}\n"
+    "  - {stable: true}\n";
+
+std::string refusal(const std::string& text) {
+    try {
+        static_cast<void>(read_goal(text, "goal.yaml"));
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+TEST(Goal, HasVariablesConditionsAndAnObjective) {
+    const Goal goal = read_goal(whole, "goal.yaml");
+    ASSERT_EQ(goal.variables.size(), 2u);
+    EXPECT_DOUBLE_EQ(goal.variables[0].from, 1.5e-3);
+    EXPECT_FALSE(goal.variables[0].is_whole);
+    EXPECT_EQ(goal.variables[0].text_of(2.5e-3), "2.5 mm");
+    EXPECT_TRUE(goal.variables[1].is_whole);
+    EXPECT_EQ(goal.variables[1].text_of(7.2), "7");
+    ASSERT_EQ(goal.conditions.size(), 4u);
+    EXPECT_DOUBLE_EQ(goal.conditions[0].value_SI, 0.06);
+    EXPECT_DOUBLE_EQ(goal.conditions[0].measure.at_SI, 20e3);
+    EXPECT_DOUBLE_EQ(goal.conditions[0].within, 0.01);
+    EXPECT_EQ(goal.conditions[0].measure.text, "elongation at pressure 20 kPa");
+    EXPECT_EQ(goal.conditions[1].measure.kind, Measure::Kind::limit);
+    EXPECT_DOUBLE_EQ(goal.conditions[1].within, 5e-3);
+    EXPECT_EQ(goal.conditions[2].relation, Condition::Relation::below);
+    ASSERT_EQ(goal.conditions[3].measure.terms.size(), 2u);
+    EXPECT_EQ(goal.conditions[3].measure.terms[1].factor, 2);
+    EXPECT_EQ(goal.conditions[3].measure.terms[1].key, "geometry.wall");
+    EXPECT_TRUE(goal.stable);
+    ASSERT_TRUE(goal.minimize);
+    EXPECT_EQ(goal.minimize->kind, Measure::Kind::rubber_volume);
+}
+
+TEST(Goal, RefusesWithPlaceProblemAndRemedy) {
+    EXPECT_EQ(refusal("design: a.yaml\nvary: {geometry.wall: {from: 4 mm, to: 1 mm}}\ntargets: []\n"),
+              "goal.yaml:2:40: vary.geometry.wall.to: is not larger than `from`");
+    EXPECT_EQ(
+        refusal("design: a.yaml\nvary: {geometry.wall: {from: 1 mm, to: 4 mm}}\n"),
+        "goal.yaml:1:1: targets: the goal has no targets and minimizes nothing; add targets: [{elongation: 60 mm, "
+        "at: {pressure: 20 kPa}}]");
+    EXPECT_NE(refusal("design: a.yaml\nvary: {a: {from: 1, to: 4}}\ntarget: []\n").find("did you mean 'targets'?"),
+              std::string::npos);
+    EXPECT_NE(refusal("design: a.yaml\nvary: {a: {from: 1 mm, to: 4 mm}}\ntargets: [{elongation: 60 mm}]\n")
+                  .find("the key 'at' is missing"),
+              std::string::npos);
+    EXPECT_NE(refusal("design: a.yaml\nvary: {a: {from: 1 mm, to: 4 mm}}\ntargets: [{curve: m.csv}]\n")
+                  .find("targets that are curves are not available"),
+              std::string::npos);
+    EXPECT_NE(refusal("").find("goal.yaml"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace soft::optimize

@@ -1,0 +1,109 @@
+/// Searches with functions whose optimum is known.
+#include "optimize/search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace soft::optimize {
+namespace {
+
+Variable variable(const std::string& key, double from, double to) {
+    Variable one;
+    one.key = key;
+    one.from = from;
+    one.to = to;
+    return one;
+}
+
+Goal goal_of(std::vector<Variable> variables, std::vector<Condition> conditions, bool minimizes) {
+    Goal goal;
+    goal.variables = std::move(variables);
+    goal.conditions = std::move(conditions);
+    if (minimizes) goal.minimize = Measure{};
+    return goal;
+}
+Condition condition(Condition::Relation relation, double value, double within = 1e-3) {
+    Condition one;
+    one.relation = relation;
+    one.value_SI = value;
+    one.within = within;
+    return one;
+}
+constexpr auto equal = Condition::Relation::equal, below = Condition::Relation::below;
+const Progress silent = [](const Found&) {};
+
+/// Smallest x^2 + y^2 with x y = 1 (a hyperbola): x = y = 1.
+Trial hyperbola(const std::vector<double>& v) {
+    return {"", {{v[0] * v[1], {v[1], v[0]}}}, {v[0] * v[0] + v[1] * v[1], {2 * v[0], 2 * v[1]}}, true};
+}
+
+TEST(Search, FindsAConstrainedMinimum) {
+    const Goal goal = goal_of({variable("x", 0.1, 4), variable("y", 0.1, 4)}, {condition(equal, 1)}, true);
+    const Found found = search(goal, {3, 0.2}, 1, hyperbola, silent);
+    EXPECT_EQ(found.violation, 0);
+    EXPECT_NEAR(found.values[0], 1, 2e-2);  // flat: the objective is what converges
+    EXPECT_NEAR(found.trial.objective.value_SI, 2, 3e-3);
+}
+
+TEST(Search, WithoutAnObjectiveMeetsTheTargets) {
+    const Goal goal = goal_of({variable("x", 0.1, 4), variable("y", 0.1, 4)}, {condition(equal, 1)}, false);
+    const Found found = search(goal, {3, 3}, 1, hyperbola, silent);
+    EXPECT_NEAR(found.values[0] * found.values[1], 1, 1e-3);
+}
+
+TEST(Search, ReturnsTheNearestWhereNothingMeetsTheConditions) {
+    const Goal goal = goal_of({variable("x", 0, 1)}, {condition(equal, 5), condition(below, 2)}, false);
+    const auto line = [](const std::vector<double>& v) { return Trial{"", {{v[0], {1}}, {v[0], {1}}}, {}, true}; };
+    const Found found = search(goal, {0.5}, 2, line, silent);
+    EXPECT_NEAR(found.values[0], 1, 1e-6);
+    EXPECT_NEAR(found.violation, 0.8, 2e-3);
+}
+
+TEST(Search, OfWholeNumbersTriesNeighboursAndOptimizesBetweenThem) {
+    Variable n = variable("n", 1, 20);
+    n.is_whole = true;
+    const Goal goal = goal_of({n, variable("x", 0, 10)}, {condition(equal, 12)}, true);
+    // n x = 12 with the smallest (n - 7)^2 + x: n = 7, x = 12/7; (6, 2) costs 3, (7, 1.71) 1.71
+    const auto product = [](const std::vector<double>& v) {
+        return Trial{"", {{v[0] * v[1], {0, v[0]}}}, {(v[0] - 7) * (v[0] - 7) + v[1], {0, 1}}, true};
+    };
+    const Found found = search(goal, {12, 5}, 1, product, silent);
+    EXPECT_EQ(found.values[0], 7);
+    EXPECT_NEAR(found.values[1], 12.0 / 7, 1e-2);
+}
+
+TEST(Search, ContinuesInASmallerBoxAfterATrialThatFails) {
+    const Goal goal = goal_of({variable("x", 0, 10)}, {condition(equal, 4)}, false);
+    int failures = 0;
+    const auto fails_beyond_5 = [&](const std::vector<double>& v) {
+        if (v[0] > 5) {
+            ++failures;
+            return Trial{"beyond 5", {}, {}, true};
+        }
+        return Trial{"", {{std::sqrt(v[0]) * 2, {1 / std::sqrt(v[0])}}}, {}, true};  // 4 at x = 4
+    };
+    const Found found = search(goal, {0.2}, 1, fails_beyond_5, silent);
+    EXPECT_NEAR(found.values[0], 4, 2e-2);
+    EXPECT_LT(found.violation, 1e-9);
+}
+
+TEST(Search, WithoutAnySuccessNamesTheFirstFailure) {
+    const Goal goal = goal_of({variable("x", 0, 1)}, {condition(equal, 4)}, false);
+    try {
+        static_cast<void>(search(
+            goal, {0.5}, 2,
+            [](const std::vector<double>&) {
+                return Trial{"walls cross", {}, {}, true};
+            },
+            silent));
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(), "no trial succeeds: walls cross; change the ranges of `vary`");
+    }
+}
+
+}  // namespace
+}  // namespace soft::optimize

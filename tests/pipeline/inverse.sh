@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# A goal gives a design whose curve, computed by the pipeline, reaches it; twin goals; goals that cannot be reached; refusals.
+#   inverse.sh BIN CMAKE
+. "$(dirname "${BASH_SOURCE[0]}")/check.sh"
+
+goal() { printf 'design: designs/bellows.yaml\nset: {mesh.quality: draft}\n%s\n' "$1" >goal.yaml; }
+reaches() { within "$(column "$1" curve.csv | tail -n 1)" "$2" "$3"; }   # COLUMN LOW HIGH
+
+goal 'vary:
+  geometry.wall: {from: 1.5 mm, to: 4 mm}
+  geometry.crest_radius: {from: 15 mm, to: 20 mm}
+targets: [{elongation: 60 mm, at: {pressure: 20 kPa}}]
+minimize: rubber_volume
+constraints:
+  - {stretch_p99: {below: 1.4}, at: {pressure: 20 kPa}}
+  - {geometry.bore_radius + 2 * geometry.wall: {below: 9.5 mm}}'
+runs 'optimize goal.yaml --starts 1 --json report.json -o found.yaml'
+claim "all conditions are met" has ON report.json met
+runs 'mesh-gen -q found.yaml | solve -q | postprocess -q --at pressure=20kPa -o curve.csv'
+claim "the curve of the design reaches the target" reaches elongation_mm 59.7 60.3
+claim "and the bound of the stretch" reaches stretch_p99 1 1.4001
+rubber=$(json report.json objective value_SI)
+runs 'optimize goal.yaml --starts 1 | mesh-gen -q | solve -q | postprocess -q --at pressure=20kPa -o piped.csv'
+claim "the same through a pipe" cmp curve.csv piped.csv
+# With the same elongation, other radii take more rubber.
+for crest in 16 17; do
+    goal "vary: {geometry.wall: {from: 1.5 mm, to: 4 mm}}
+targets: [{elongation: 60 mm, at: {pressure: 20 kPa}}]"
+    sed -i "s/draft}/draft, geometry.crest_radius: $crest mm}/" goal.yaml
+    run 'optimize goal.yaml --starts 1 -q -o other.yaml --json other.json'
+    run "mesh-gen -q other.yaml --json mesh.json -o x.h5"
+    claim "with a crest radius of $crest mm the rubber is not less" within "$(json mesh.json rubber_volume_m3)" "$(awk -v v="$rubber" 'BEGIN { print 0.997 * v }')" 1
+done
+
+# Twin: the curve of a known design gives its wall back.
+runs 'mesh-gen -q designs/bellows.yaml --set mesh.quality=draft --set geometry.wall=2.7mm --set path.until.pressure=15kPa | solve -q | postprocess -q -o twin.csv'
+goal "vary: {geometry.wall: {from: 2 mm, to: 4 mm}}
+targets: [{elongation: $(column elongation_mm twin.csv | tail -n 1) mm, at: {pressure: 15 kPa}, within: 1e-7}]"
+runs 'optimize goal.yaml --starts 1 -q -o found.yaml'
+claim "the wall is found" within "$(awk '/ wall:/ { print $2 }' found.yaml)" 2.69999 2.70001
+
+# Whole numbers; a limit pressure.
+goal 'vary: {geometry.convolutions: {from: 6, to: 12}}
+targets: [{elongation: 60 mm, at: {pressure: 10 kPa}, within: 10 %}]'
+runs 'optimize goal.yaml -q -o found.yaml'
+claim "a whole number stays whole" grep -q '^  convolutions: [0-9]*$' found.yaml
+printf 'design: designs/tube.yaml\nset: {loads.cavity.pressure: 200 kPa}\nvary: {material.mu: {from: 0.05 MPa, to: 0.5 MPa}}\ntargets: [{limit: {pressure: 80 kPa}}]\n' >goal.yaml
+runs 'optimize goal.yaml --starts 1 -q -o found.yaml'
+# the limit pressure is proportional to mu: 44.34 kPa with 0.1644 MPa, but for the bulk modulus of the design
+runs 'mesh-gen -q found.yaml | solve -q --json solve.json | postprocess -q -o curve.csv'
+claim "the limit pressure is reached" within "$(json solve.json limit_points 0 pressure_Pa)" 79600 80400
+
+goal 'vary: {geometry.wall: {from: 2 mm, to: 4 mm}}
+targets: [{elongation: 60 mm, at: {pressure: 20 kPa}}]'
+run 'optimize goal.yaml --starts 1 -o nearest.yaml'
+claim "a goal that cannot be reached gives exit code 2" exits 2
+claim "the message says so" grep -q '^optimize: no such design: the nearest of' "$seen/err"
+claim "the nearest design is printed with what is not met" grep -q '^# elongation at pressure 20 kPa: .*, wanted 60 mm: not met' nearest.yaml
+claim "and the end of the range" grep -q '^# geometry.wall: 4 mm, at the end of its range' nearest.yaml
+
+goal 'vary: {geometry.wal: {from: 2 mm, to: 4 mm}}
+targets: [{elongation: 60 mm, at: {pressure: 20 kPa}}]'
+refuses 65 'optimize: vary.geometry.wal: is not a number of the design that differs from 0; did you mean*' 'optimize goal.yaml -q'
+goal 'vary: {geometry.wall: {from: 2 mm, to: 4 mm}}
+targets: [{elongatio: 60 mm, at: {pressure: 20 kPa}}]'
+refuses 65 "optimize: no trial succeeds: *'elongatio' is neither the load nor an output*" 'optimize goal.yaml -q --starts 1'
+refuses 66 'optimize: *nowhere.yaml*' 'optimize nowhere.yaml -q'
