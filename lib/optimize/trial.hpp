@@ -3,7 +3,7 @@
 /// variables (solver/sensitivities.hpp; volumes: differences of both meshes). A quantity at a value of another one is interpolated along
 /// the path; where all measures of the curve have one value in common, the path ends there. The derivative of stretch_p99, a quantile
 /// over the cells, is that at the row's state, along the path from the neighbouring rows.
-/// Tested by optimize/trial_test.
+/// Tested by pipeline/inverse.
 #include <functional>
 #include <string>
 #include <vector>

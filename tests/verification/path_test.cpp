@@ -206,10 +206,11 @@ TEST(Problems, RunDesignThrowsForADivergedPath) {
     try {
         static_cast<void>(
             run_design("bellows.yaml", {"solver.newton_limit=1", "solver.residual_tolerance=1e-14",
-                                     "solver.steps=constant", "solver.first_step=0.5", "solver.min_step=1"}));
+                                        "solver.steps=constant", "solver.first_step=0.5", "solver.min_step=1"}));
         FAIL();
     } catch (const std::runtime_error& error) {
-        EXPECT_NE(std::string(error.what()).find("bellows.yaml: the path diverged: "), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("bellows.yaml: the path diverged: "), std::string::npos)
+            << error.what();
     }
 }
 
