@@ -123,7 +123,7 @@ std::vector<std::string> report_lines(const optimize::Goal& goal, const optimize
     }
     for (std::size_t i = 0; i < goal.conditions.size(); ++i)
         lines.push_back(condition_text(goal.conditions[i], found.trial.conditions[i].value_SI));
-    if (goal.stable) lines.push_back(found.trial.is_stable ? "stable" : "stable: not met");
+    if (goal.stable) lines.emplace_back(found.trial.is_stable ? "stable" : "stable: not met");
     if (goal.minimize) {
         const bool volume = goal.minimize->kind != optimize::Measure::Kind::curve;
         lines.push_back(goal.minimize->text + ": " +
@@ -190,7 +190,7 @@ ExitCode run(const OptimizeOptions& options) {
             goal, first, std::stoi(options.starts),
             [&](const std::vector<double>& values) {
                 ++trial;
-                const optimize::Trial result =
+                optimize::Trial result =
                     optimize::evaluate(goal, {std::string{base.text()}, base.source}, values, cli::contact_check);
                 if (!result.failure.empty()) console.detail("trial " + std::to_string(trial) + ": " + result.failure);
                 return result;

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "contact/closest_point.hpp"
+#include "contact/contact_surface.hpp"
 #include "contact/crossing.hpp"
 #include "contact/hinges.hpp"
 #include "contact/inverted_wall.hpp"

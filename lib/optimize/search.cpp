@@ -187,7 +187,7 @@ private:
             }
         };
         using Objective = std::function<double(const double*, double*)>;
-        const Objective value = [&](const double* u, double* gradient) {
+        Objective value = [&](const double* u, double* gradient) {
             double found = 0;
             kept([&] {
                 std::vector<double> slopes;
@@ -197,7 +197,7 @@ private:
             return found;
         };
         using Constraints = std::function<void(double*, const double*, double*)>;
-        const Constraints differences = [&](double* result, const double* u, double* gradient) {
+        Constraints differences = [&](double* result, const double* u, double* gradient) {
             kept([&] {
                 const Trial& trial = trial_at(u);
                 for (std::size_t i = 0; i < constraints.size(); ++i) {
@@ -214,13 +214,13 @@ private:
         optimizer.set_upper_bounds(high);
         optimizer.set_min_objective([](unsigned, const double* u, double* gradient,
                                        void* data) { return (*static_cast<const Objective*>(data))(u, gradient); },
-                                    const_cast<Objective*>(&value));
+                                    &value);
         if (!constraints.empty())
             optimizer.add_inequality_mconstraint(
                 [](unsigned, double* result, unsigned, const double* u, double* gradient, void* data) {
                     (*static_cast<const Constraints*>(data))(result, u, gradient);
                 },
-                const_cast<Constraints*>(&differences), std::vector<double>(constraints.size(), 0.0));
+                &differences, std::vector<double>(constraints.size(), 0.0));
         optimizer.set_xtol_rel(step_tolerance);
         optimizer.set_ftol_rel(value_tolerance);
         optimizer.set_maxeval(max_trials_of_a_start);
