@@ -19,6 +19,8 @@ constexpr double out_of_reach = 1e-4, steady_growth = 1e-3;
 /// unknowns, or a higher one, is extrapolated by that power; the result must be less than `reachable` of the remaining load. Checked
 /// over steps that are long enough to show a power.
 constexpr double far_beyond = 10.0, min_power = 0.5, reachable = 0.5, growth_for_a_power = 0.02;
+/// Where no step converges beyond path.stretch_limit: growth of the load per relative growth of the unknowns, over the remaining load.
+constexpr double hardly_rising = 1e-2;
 /// det F below which a cell counts as nearly inverted.
 constexpr double nearly_inverted = 0.05;
 
@@ -35,6 +37,18 @@ bool is_stalled(const PathState& path, model::StepRule steps) {
     return length_of(std::span(path.visited).last(stalled_rows + 1)) < stalled_length * length_of(path.visited);
 }
 
+/// d load factor / d log of the unknowns
+double rise_of(const PathPoint& point) {
+    const double norm = linalg::norm(point.state.x);
+    return point.tangent.load_factor * norm * norm / linalg::dot(point.tangent.x, point.state.x);
+}
+
+/// Message of a load that approaches an asymptote.
+std::string asymptote_text(const std::string& here) {
+    return "the requested load is never reached: the load approaches a limit just above its value at " + here +
+           ", and the stretch exceeds path.stretch_limit" + end_earlier;
+}
+
 /// A load that still grows, but too slowly to reach its value with finite numbers, as that of a long tube of neo-Hookean rubber,
 /// which has an asymptote instead of a maximum; or one whose rate falls with a power of the unknowns such that its limit is far below.
 bool is_out_of_reach(const PathState& path, double stretch_limit) {
@@ -45,10 +59,6 @@ bool is_out_of_reach(const PathState& path, double stretch_limit) {
     if (left <= 0.0 || growth <= steady_growth) return false;
     if (std::abs(gain) < out_of_reach * growth * left) return true;
     if (path.stretch_p99 <= far_beyond * stretch_limit || growth < growth_for_a_power) return false;
-    const auto rise_of = [](const PathPoint& point) {  // d load factor / d log of the unknowns
-        const double norm = linalg::norm(point.state.x);
-        return point.tangent.load_factor * norm * norm / linalg::dot(point.tangent.x, point.state.x);
-    };
     const double rise = rise_of(last), rise_before = rise_of(before);
     const double log_growth = std::log(size / linalg::norm(before.state.x));
     const double power = std::log(rise_before / rise) / log_growth, mean = gain / log_growth;
@@ -113,10 +123,7 @@ std::optional<Stop> stop_at_row(const PathState& path, const model::Case& input)
     const std::string here = state_text(*path.last, input);
     if (std::string returned = return_text(path, here); !returned.empty())
         return Stop{StopReason::limit_point, std::move(returned)};
-    if (is_out_of_reach(path, input.path.stretch_limit))
-        return Stop{StopReason::limit_point,
-                    "the requested load is never reached: the load approaches a limit just above its value at " + here +
-                        ", and the stretch exceeds path.stretch_limit" + end_earlier};
+    if (is_out_of_reach(path, input.path.stretch_limit)) return Stop{StopReason::limit_point, asymptote_text(here)};
     if (is_past_limit_point(path) && path.stretch_p99 > input.path.stretch_limit)
         return Stop{StopReason::limit_point,
                     "the requested load is never reached: the path is past the limit point, and the stretch exceeds "
@@ -131,6 +138,9 @@ Stop stop_without_step(const PathState& path, fem::System& system, const NewtonR
     const model::Case& input = system.input();
     const std::string location = location_text(attempt.worst_cell, input), here = state_text(*path.last, input);
     const std::string det = "det F = " + short_text(attempt.min_jacobian);
+    const double rise = path.stretch_p99 > input.path.stretch_limit ? rise_of(*path.last) : -1.0;
+    if (rise >= 0.0 && rise < hardly_rising * (1.0 - path.last->state.load_factor))
+        return {StopReason::limit_point, asymptote_text(here)};
     if (attempt.end == NewtonEnd::inverted)
         return {StopReason::inverted_element, "an element inverted (" + det + ") " + location + remedy};
     if (is_nearly_inverted(attempt))

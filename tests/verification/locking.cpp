@@ -51,7 +51,8 @@ Outcome bellows() {
                                       "mesh.sectors=4",
                                       "loads.cavity.sealed=false",
                                       "loads.cavity.pressure=60 kPa",
-                                      "solver.step_accuracy=2e-3"};
+                                      "solver.step_accuracy=2e-3",
+                                      "path.contact=ignore"};  // the walls of some of these coarse bodies touch
         sets.insert(sets.end(), choice.sets.begin(), choice.sets.end());
         const auto run = run_design("verification/bellows.yaml", sets);
         std::vector<std::string> line{choice.name};
