@@ -182,6 +182,7 @@ ExitCode run(const OptimizeOptions& options) {
     const cli::Input base = read_base(goal);
     const std::vector<double> first = values_of(goal, base);
     const linalg::Session session{{}};
+    if (session.size() > 1) throw Error(ExitCode::usage, "", "runs on one rank only", "omit mpirun");
     optimize::Found found;
     {
         const cli::StdoutRedirection kept;

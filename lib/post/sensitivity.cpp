@@ -71,7 +71,7 @@ std::string sensitivity_script(const Curve& table, const model::Case& model, Pic
                         output.quantity) +
            " noenhanced\nset xlabel " + gnuplot_text("change of the " + load.quantity + " (%) per 1 %") +
            " noenhanced\nset ytics (" + names + ") noenhanced\nset yrange [-0.6:" + std::to_string(bars.size() - 1) +
-           ".6]\nset xzeroaxis\nset offsets graph 0.03, graph 0.03, 0, 0\n$bars << EOD\n" + data + "EOD\nplot $bars " +
+           ".6]\nset yzeroaxis\nset offsets graph 0.03, graph 0.03, 0, 0\n$bars << EOD\n" + data + "EOD\nplot $bars " +
            bar + "\n";
 }
 

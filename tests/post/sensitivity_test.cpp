@@ -69,6 +69,19 @@ TEST(Sensitivity, BandOfTolerancesAddsSquaresOrSizes) {
     EXPECT_NEAR(tolerance_band(curve).widths[0].linear.back(), std::hypot(8, 9.6), 1e-9);
 }
 
+TEST(Sensitivity, BarsAreSortedUpwardsByTheirSize) {
+    Spring spring;
+    spring.model.parameters.push_back({"material.mu", "MPa", 1e6, 1e6, 0, 0});
+    for (model::Step& step : spring.steps) {  // -2 % per 1 %
+        step.derivatives.push_back(-2 * step.pressure_Pa / 1e6);
+        step.derivatives.push_back(0);
+    }
+    const std::string script =
+        sensitivity_script(make_curve(spring.model, spring.steps), spring.model, PictureFormat::svg);
+    EXPECT_NE(script.find("set ytics ('geometry.wall' 0, 'material.mu' 1)"), std::string::npos);
+    EXPECT_NE(script.find("\n-2 1\n"), std::string::npos);
+}
+
 TEST(Sensitivity, TolerancesAreOfNumbersThatHaveOne) {
     const Spring spring;
     for (const char* text : {"geometry.wal=0.1mm", "geometry.wall", "geometry.wall=0.1kPa", "geometry.wall=-1mm"})
