@@ -12,6 +12,7 @@
 #include "design/tree.hpp"
 #include "event_summary.hpp"
 #include "geometry/build.hpp"
+#include "geometry/variations.hpp"
 #include "interrupt.hpp"
 #include "io/result_file.hpp"
 #include "linalg/profile.hpp"
@@ -46,19 +47,27 @@ io::CaseFile read_changed_case(const Input& input, const std::vector<std::string
                                std::optional<io::DesignText>& changed) {
     std::vector<design::Override> overrides;
     for (const std::string& set : sets) overrides.push_back(design::parse_override(set));
+    std::vector<std::vector<model::DesignParameter>>
+        numbers;  // of the lower and higher case of each parameter, then of the case
     io::CaseFile file = io::read_case_file(
         input.bytes, input.source,
         [&](mesh::Mesh mesh, const model::Shape& shape, std::string_view yaml, std::string_view source) {
             const design::Design design = geometry::read_built_design(mesh, shape, yaml, source, overrides);
             if (!sets.empty()) changed = {design.effective_yaml, sets};  // the last one is the case itself
+            numbers.push_back(design.parameters);
             return geometry::build_case(design, std::move(mesh), shape);
         });
-    for (const model::DesignParameter& parameter : file.model.parameters)
-        for (const design::Override& change : overrides)
-            if ((parameter.key + ".").starts_with(change.path + "."))
-                throw Error(ExitCode::usage, "--set " + change.path,
-                            "the case contains the sensitivities at another value",
-                            "set it in mesh-gen, with --sensitivity");
+    if (!file.model.parameters.empty()) geometry::require_differentiable(file.model);
+    for (std::size_t i = 0; i < file.model.parameters.size(); ++i) {
+        const model::DesignParameter& parameter = file.model.parameters[i];
+        const auto has = [&](const std::vector<model::DesignParameter>& design, double value) {
+            const auto found = std::ranges::find(design, parameter.key, &model::DesignParameter::key);
+            return found != design.end() && found->value == value;
+        };
+        if (!has(numbers[2 * i], parameter.lower) || !has(numbers[2 * i + 1], parameter.higher))
+            throw Error(ExitCode::usage, "--set", "changes " + parameter.key + ", by which the case has sensitivities",
+                        "set it in mesh-gen, with --sensitivity");
+    }
     return file;
 }
 

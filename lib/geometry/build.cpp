@@ -118,8 +118,7 @@ model::Case build_case(const design::Design& design, mesh::Mesh mesh, const mode
     result.path = design.path;
     result.solver = design.solver;
     result.dynamics = design.dynamics;
-    const auto slides_with_friction = [](const model::Obstacle& obstacle) { return obstacle.friction > 0; };
-    if (result.dynamics && (result.contact.friction > 0 || std::ranges::any_of(result.obstacles, slides_with_friction)))
+    if (result.dynamics && model::has_friction(result))
         throw design.values.refuse("dynamics.duration", "a motion in time has no friction",
                                    "set contact.friction and that of the obstacles to 0, or omit dynamics.duration");
     result.mesh = std::move(mesh);

@@ -10,6 +10,7 @@ namespace soft::geometry {
 namespace {
 
 constexpr std::string_view all = "all";
+constexpr const char* option = "--sensitivity";
 
 bool has_same_cells(const mesh::Mesh& a, const mesh::Mesh& b) {
     const auto same_facets = [](const auto& one, const auto& other) {
@@ -116,19 +117,20 @@ model::Variation vary(const design::Design& design, const Built& built, const mo
 
 }  // namespace
 
-Variations make_variations(const design::Design& design, const Built& built, std::span<const std::string> keys,
-                           std::string_view source) {
-    constexpr const char* option = "--sensitivity";
-    if (built.model.outputs.empty())
+void require_differentiable(const model::Case& model) {
+    if (model.outputs.empty())
         throw Error(ExitCode::bad_input, option, "the design has no outputs",
                     "add one, for example outputs: {elongation: {face: moving}}");
-    if (design.dynamics)
+    if (model.dynamics)
         throw Error(ExitCode::bad_input, option, "a motion in time has no sensitivities", "omit dynamics.duration");
-    if (design.contact.friction > 0 || std::ranges::any_of(built.model.obstacles, [](const model::Obstacle& obstacle) {
-            return obstacle.friction > 0;
-        }))
+    if (model::has_friction(model))
         throw Error(ExitCode::bad_input, option, "paths with friction have no sensitivities",
                     "set contact.friction and that of the obstacles to 0");
+}
+
+Variations make_variations(const design::Design& design, const Built& built, std::span<const std::string> keys,
+                           std::string_view source) {
+    require_differentiable(built.model);
     Variations result;
     for (const std::string& key : keys) {
         if (key == all) continue;

@@ -18,8 +18,11 @@ struct Variations {
     std::vector<std::string> notes;  ///< numbers of "all" that are left out, and why
 };
 
+/// Throws Error (bad_input) for a case without outputs, a motion in time, and friction, whose rows depend on the rows before.
+void require_differentiable(const model::Case& model);
+
 /// `keys`: numbers of design.parameters, or "all". `source` names the design in errors. Throws Error (usage) for a key that is not a
-/// number of the design, Error (bad_input) for one with which the cells change, and for a case without outputs, a motion in time, or friction.
+/// number of the design, Error (bad_input) for one with which the cells change, and as require_differentiable.
 [[nodiscard]] Variations make_variations(const design::Design& design, const Built& built,
                                          std::span<const std::string> keys, std::string_view source);
 

@@ -227,6 +227,12 @@ struct Case {
     return std::ranges::any_of(input.obstacles, [&](const Obstacle& obstacle) { return obstacle.name == motion.face; });
 }
 
+/// Whether the case has friction anywhere.
+[[nodiscard]] inline bool has_friction(const Case& input) {
+    return input.contact.friction > 0 ||
+           std::ranges::any_of(input.obstacles, [](const Obstacle& obstacle) { return obstacle.friction > 0; });
+}
+
 /// The cavities whose volume is measured: the targets of all loads, in the order of the loads and their targets.
 [[nodiscard]] inline std::vector<const Cavity*> measured_cavities(const Case& input) {
     std::vector<const Cavity*> found;

@@ -65,6 +65,9 @@ refuses 64 'mesh-gen: --sensitivity geometry.wal: not a number of the design tha
 refuses 65 'mesh-gen: --sensitivity: paths with friction have no sensitivities; *' \
     'mesh-gen -q designs/bellows.yaml --set contact.friction=0.3 --sensitivity all -o x.h5'
 refuses 64 'solve: --tolerance: error bars are not available with sensitivities; *' 'solve -q case.h5 --tolerance 1% -o x.h5'
-refuses 64 'solve: --set material.mu: the case contains the sensitivities at another value; *' 'solve -q case.h5 --set material.mu=1MPa -o x.h5'
+refuses 64 'solve: --set: changes material.mu, by which the case has sensitivities; *' 'solve -q case.h5 --set material.mu=1MPa -o x.h5'
+refuses 65 'solve: --sensitivity: paths with friction have no sensitivities; *' 'solve -q case.h5 --set contact.friction=0.3 -o x.h5'
+refuses 65 'solve: --sensitivity: a motion in time has no sensitivities; *' \
+    'solve -q case.h5 --set material.density=1080kg/m^3 --set path={} --set dynamics.duration=1ms -o x.h5'
 refuses 64 'postprocess: --sensitivity: the result has no sensitivities; *' 'solve -q plain.h5 | postprocess -q --sensitivity'
 refuses 64 'postprocess: --tolerances geometry.neck=1mm: the result has no sensitivity to this number*' 'postprocess -q whole.h5 --tolerances geometry.neck=1mm'
