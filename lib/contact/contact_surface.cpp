@@ -94,10 +94,6 @@ bool has_facing_points(const ContactSurface::Entry& entry, const ContactSurface:
     return false;
 }
 
-}  // namespace
-
-namespace {
-
 /// Largest prescribed pressure: walls that are pressed together by more than their modulus would overlap.
 double largest_pressure_Pa(const model::Case& model) {
     double largest = 0;
@@ -295,13 +291,10 @@ Adjacency ContactSurface::adjacency(std::size_t i, std::size_t j) {
 
 Adjacency ContactSurface::find_adjacency(const Entry& a, const Entry& b) const {
     if (a.facet.cell == b.facet.cell) return Adjacency::sides_of_a_wall;
-    if (std::ranges::none_of(a.nodes, [&](Index node) { return std::ranges::find(b.nodes, node) != b.nodes.end(); }) &&
-        share_a_side(a.cell_corners, b.cell_corners, static_cast<int>(dimension_)))
-        return Adjacency::sides_of_a_wall;
-    for (const Index node : a.nodes)
-        if (std::ranges::find(b.nodes, node) != b.nodes.end())
-            return has_facing_points(a, b) || has_facing_points(b, a) ? Adjacency::sides_of_a_groove
-                                                                      : Adjacency::neighbours;
+    if (std::ranges::any_of(a.nodes, [&](Index node) { return std::ranges::find(b.nodes, node) != b.nodes.end(); }))
+        return has_facing_points(a, b) || has_facing_points(b, a) ? Adjacency::sides_of_a_groove
+                                                                  : Adjacency::neighbours;
+    if (share_a_side(a.cell_corners, b.cell_corners, static_cast<int>(dimension_))) return Adjacency::sides_of_a_wall;
     const double within_m = thickest_wall_in_facets * std::max(a.size_m, b.size_m);
     if (dot(normals(a.undeformed).axis, normals(b.undeformed).axis) < 0 &&
         is_behind(a.undeformed, b.undeformed, within_m) && is_behind(b.undeformed, a.undeformed, within_m))

@@ -88,8 +88,9 @@ bool breaks_energy_balance(Corrector& corrector, PathState& path, PathPoint& to)
     const double mean_m = linalg::norm(to.state.x) / std::sqrt(static_cast<double>(system.dofs().total));
     if (!system.has_energy() || mean_m < rounding_strain * mesh::extent_m(system.input().mesh)) return false;
     find_work_of_step(corrector, path, to);
-    const double from_J = *path.last->stored_J, to_J = *to.stored_J, left_J = *to.step_work_J - (to_J - from_J);
-    return (to.lost_J > 0 ? 0 : std::abs(left_J)) > energy_jump * std::max(from_J, to_J);
+    if (to.lost_J > 0) return false;  // a snap sets energy free
+    const double from_J = *path.last->stored_J, to_J = *to.stored_J;
+    return std::abs(*to.step_work_J - (to_J - from_J)) > energy_jump * std::max(from_J, to_J);
 }
 
 }  // namespace soft::solver
