@@ -102,12 +102,8 @@ std::string part_line(const MeshSummary::Part& part, double volume_m3) {
            "; the mesh follows the facets of the file, not a smooth surface";
 }
 
-mesh::Measure measure_of(const model::Case& model) {
-    return model.kinematics == model::Kinematics::axisymmetric ? mesh::Measure::revolved : mesh::Measure::plain;
-}
-
 std::optional<double> mass_kg(const model::Case& model) {
-    const auto volumes_m3 = mesh::region_measures(model.mesh, measure_of(model));
+    const auto volumes_m3 = mesh::region_measures(model.mesh, geometry::measure_of(model));
     double mass = 0;
     for (std::size_t region = 0; region < volumes_m3.size(); ++region) {
         const auto material =
@@ -130,7 +126,7 @@ MeshSummary inspect(const geometry::Built& built) {
     summary.unknowns = free_displacements(model) + pressures(model);
     summary.quality = mesh::quality(model.mesh);
     summary.inner_corners = mesh::find_reentrant_corners(model.mesh);
-    summary.rubber_volume_m3 = mesh::measure(model.mesh, measure_of(model)) / model.model_fraction;
+    summary.rubber_volume_m3 = mesh::measure(model.mesh, geometry::measure_of(model)) / model.model_fraction;
     summary.mass_kg = mass_kg(model);
     summary.notes = built.notes;
     summary.obstacles = built.gaps;

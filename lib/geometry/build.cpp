@@ -144,6 +144,10 @@ design::Design read_built_design(const mesh::Mesh& mesh, const model::Shape& sha
     return design::read_built_design(effective_yaml, source, catalogue_keys(), overrides, faces);
 }
 
+mesh::Measure measure_of(const model::Case& model) {
+    return model.kinematics == model::Kinematics::axisymmetric ? mesh::Measure::revolved : mesh::Measure::plain;
+}
+
 model::Case rebuild_case(mesh::Mesh mesh, const model::Shape& shape, std::string_view effective_yaml,
                          std::string_view source) {
     const design::Design design = read_built_design(mesh, shape, effective_yaml, source, {});

@@ -6,6 +6,7 @@
 #include "design/design.hpp"
 #include "geometry/family.hpp"
 #include "geometry/obstacle.hpp"
+#include "mesh/cell_map.hpp"
 #include "model/case.hpp"
 #include "model/shape.hpp"
 
@@ -54,6 +55,9 @@ struct Built {
 
 /// The warnings of the design and those that need the case: coarse mesh, first-order simplices from a file, case_warnings.
 [[nodiscard]] std::vector<std::string> warnings_of(const design::Design& design, const Built& built);
+
+/// How the mesh of a case is measured: by area, or revolved.
+[[nodiscard]] mesh::Measure measure_of(const model::Case& model);
 
 /// The mesh after sweeping.
 struct Solid {
