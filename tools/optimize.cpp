@@ -61,33 +61,10 @@ cli::Input read_base(const optimize::Goal& goal) {
     return cli::read_design(design::file_from(goal.location, goal.design_file));
 }
 
-std::vector<double> values_of(const optimize::Goal& goal, const cli::Input& base) {
-    const design::Design design = design::read_design(base.text(), base.source, geometry::catalogue_keys(), goal.set);
-    std::vector<double> values;
-    for (const optimize::Variable& variable : goal.variables) {
-        const bool continuous =
-            std::ranges::find(design.parameters, variable.key, &model::DesignParameter::key) != design.parameters.end();
-        if (!variable.is_whole && !continuous) {
-            std::vector<std::string> known;
-            for (const model::DesignParameter& parameter : design.parameters) known.push_back(parameter.key);
-            throw Error(ExitCode::bad_input, "vary." + variable.key,
-                        "is not a number of the design that differs from 0", core::did_you_mean(variable.key, known));
-        }
-        if (!design.values.has(variable.key))
-            throw Error(ExitCode::bad_input, "vary." + variable.key, "is not a key of the design");
-        values.push_back(design.values.number(variable.key));
-    }
-    return values;
-}
-
 std::string value_text(const Condition& condition, double value_SI) {
-    const auto unit = core::quantity_parts(condition.value_text).unit;
-    const double scale = unit.empty()
-                             ? 1
-                             : std::abs(core::quantity_or_throw(
-                                   "1 " + unit, unit == "%" ? core::Dimension::ratio : *core::dimension_of(unit),
-                                   ExitCode::internal, ""));
-    return core::rounded_text(value_SI / scale, 5) + (unit.empty() ? "" : " " + unit);
+    std::string text = core::rounded_text(value_SI / condition.SI_per_unit, 5);
+    if (!condition.unit.empty()) text.append(" ").append(condition.unit);
+    return text;
 }
 
 std::string relation_text(const Condition& condition) {
@@ -178,9 +155,10 @@ std::string found_design(const optimize::Goal& goal, const optimize::Found& foun
 ExitCode run(const OptimizeOptions& options) {
     cli::Console console{about, options.common};
     const cli::Input input = cli::read_input(options.input, cli::max_design_bytes);
-    const optimize::Goal goal = optimize::read_goal(input.text(), input.source);
+    optimize::Goal goal = optimize::read_goal(input.text(), input.source);
     const cli::Input base = read_base(goal);
-    const std::vector<double> first = values_of(goal, base);
+    const std::vector<double> first =
+        optimize::start_of(goal, design::read_design(base.text(), base.source, geometry::catalogue_keys(), goal.set));
     const linalg::Session session{{}};
     if (session.size() > 1) throw Error(ExitCode::usage, "", "runs on one rank only", "omit mpirun");
     optimize::Found found;

@@ -33,6 +33,7 @@ void check_keys(const Node& map, const std::vector<std::string>& known, const st
             refuse(one.location, path, "unknown key " + core::quoted(one.key), core::did_you_mean(one.key, known));
 }
 
+/// A quantity as written.
 struct Written {
     double SI = 0;
     std::string text, unit;
@@ -55,11 +56,6 @@ Written quantity_of(const Node& node, const std::string& path) {
     return {std::get<double>(value), core::tidy_quantity(node.text), parts.unit, SI == nullptr ? 1 : *SI};
 }
 
-bool is_whole_number(const Node& node) {
-    const auto parsed = core::parse_count(node.text);
-    return std::holds_alternative<long>(parsed);
-}
-
 Variable variable_of(const Member& member_of_vary) {
     const std::string path = "vary." + member_of_vary.key;
     const Node& range = member_of_vary.value;
@@ -70,8 +66,7 @@ Variable variable_of(const Member& member_of_vary) {
     if (!(low.SI < high.SI)) refuse(to.location, path + ".to", "is not larger than `from`");
     if (low.unit.empty() != high.unit.empty())
         refuse(to.location, path + ".to", "`from` and `to` are not of one kind", "write both with their unit");
-    return {member_of_vary.key, low.SI,         high.SI, is_whole_number(from) && is_whole_number(to),
-            low.unit,           low.SI_per_unit};
+    return {member_of_vary.key, low.SI, high.SI, false, low.unit, low.SI_per_unit};
 }
 
 /// "geometry.bore_radius + 2 * geometry.wall"
@@ -104,14 +99,29 @@ void read_at(const Node& entry, const std::string& path, Measure& measure) {
     measure.text = measure.quantity + " at " + measure.at + " " + value.text;
 }
 
+void set_value(Condition& condition, const Written& value) {
+    condition.value_SI = value.SI;
+    condition.value_text = value.text;
+    condition.unit = value.unit;
+    condition.SI_per_unit = value.SI_per_unit;
+}
+
+/// The measure of a limit point.
+Measure limit_of(const std::string& load) { return {Measure::Kind::limit, load, {}, 0, {}, {}, "limit " + load}; }
+/// The measure that a word names without further keys.
+std::optional<Measure> volume_named(const std::string& name) {
+    if (name != "rubber_volume" && name != "cavity_volume") return std::nullopt;
+    const auto kind = name == "rubber_volume" ? Measure::Kind::rubber_volume : Measure::Kind::cavity_volume;
+    return Measure{kind, name, {}, 0, {}, {}, name};
+}
+
 /// A bound {below: 2} or {above: 2}.
 void read_bound(const Node& bound, const std::string& path, Condition& condition) {
     require_map(bound, path, "{below: 2}");
     check_keys(bound, {"below", "above"}, path);
     condition.relation = bound.members.front().key == "below" ? Condition::Relation::below : Condition::Relation::above;
     const Written value = quantity_of(bound.members.front().value, path);
-    condition.value_SI = value.SI;
-    condition.value_text = value.text;
+    set_value(condition, value);
 }
 
 /// The member of an entry that is neither `at` nor `within`.
@@ -143,16 +153,14 @@ Condition target_of(const Node& entry, const std::string& path) {
     condition.measure.quantity = subject.key;
     if (subject.key == "limit") {
         require_map(*value, path, "{limit: {pressure: 45 kPa}}");
-        condition.measure = {
-            Measure::Kind::limit, value->members.front().key, {}, 0, {}, {}, "limit " + value->members.front().key};
+        condition.measure = limit_of(value->members.front().key);
         value = &value->members.front().value;
     } else {
         read_at(entry, path, condition.measure);
     }
     const Written wanted = quantity_of(*value, path);
     if (wanted.SI == 0) refuse(value->location, path, "a target of 0 has no relative difference");
-    condition.value_SI = wanted.SI;
-    condition.value_text = wanted.text;
+    set_value(condition, wanted);
     return condition;
 }
 
@@ -162,7 +170,7 @@ Condition constraint_of(const Node& entry, const std::string& path) {
     if (subject.key == "limit") {
         require_map(subject.value, path, "{limit: {pressure: {above: 40 kPa}}}");
         const Member& load = subject.value.members.front();
-        condition.measure = {Measure::Kind::limit, load.key, {}, 0, {}, {}, "limit " + load.key};
+        condition.measure = limit_of(load.key);
         read_bound(load.value, path, condition);
         return condition;
     }
@@ -170,9 +178,8 @@ Condition constraint_of(const Node& entry, const std::string& path) {
     condition.measure.quantity = condition.measure.text = subject.key;
     if (design::find(entry, "at") != nullptr) {
         read_at(entry, path, condition.measure);
-    } else if (subject.key == "rubber_volume" || subject.key == "cavity_volume") {
-        condition.measure.kind =
-            subject.key == "rubber_volume" ? Measure::Kind::rubber_volume : Measure::Kind::cavity_volume;
+    } else if (auto volume = volume_named(subject.key)) {
+        condition.measure = std::move(*volume);
     } else {
         condition.measure.kind = Measure::Kind::keys;
         condition.measure.terms = terms_of(subject.key, subject.location);
@@ -184,14 +191,7 @@ std::optional<Measure> objective_of(const Node& node) {
     const std::string path = "minimize";
     if (node.kind == Node::Kind::scalar) {
         if (node.text == "nothing") return std::nullopt;
-        if (node.text == "rubber_volume" || node.text == "cavity_volume")
-            return Measure{node.text == "rubber_volume" ? Measure::Kind::rubber_volume : Measure::Kind::cavity_volume,
-                           node.text,
-                           {},
-                           0,
-                           {},
-                           {},
-                           node.text};
+        if (auto volume = volume_named(node.text)) return volume;
         refuse(node.location, path, core::quoted(node.text) + " is not an objective",
                "write rubber_volume, cavity_volume, nothing, or {stretch_p99: {at: {pressure: 20 kPa}}}");
     }
@@ -250,6 +250,28 @@ Goal read_goal(std::string_view text, std::string_view source) {
         refuse(root.location, "targets", "the goal has no targets and minimizes nothing",
                "add targets: [{elongation: 60 mm, at: {pressure: 20 kPa}}]");
     return goal;
+}
+
+std::vector<double> start_of(Goal& goal, const design::Design& design) {
+    std::vector<std::string> known;
+    for (const model::DesignParameter& parameter : design.parameters) known.push_back(parameter.key);
+    std::vector<double> values;
+    for (Variable& variable : goal.variables) {
+        const std::string location = "vary." + variable.key;
+        const bool is_continuous = std::ranges::find(known, variable.key) != known.end();
+        const bool has = design.values.has(variable.key);
+        variable.is_whole =
+            !is_continuous && has && std::holds_alternative<long>(core::parse_count(design.values.text(variable.key)));
+        if (!has || (!is_continuous && !variable.is_whole))
+            throw Error(ExitCode::bad_input, location,
+                        "is neither a number of the design that differs from 0 nor a count",
+                        core::did_you_mean(variable.key, known));
+        const auto is_round = [](double value) { return value == std::round(value); };
+        if (variable.is_whole && (!variable.unit.empty() || !is_round(variable.from) || !is_round(variable.to)))
+            throw Error(ExitCode::bad_input, location, "is a whole number", "write for example {from: 6, to: 14}");
+        values.push_back(design.values.number(variable.key));
+    }
+    return values;
 }
 
 }  // namespace soft::optimize

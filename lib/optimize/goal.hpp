@@ -56,8 +56,9 @@ struct Condition {
     Measure measure;
     Relation relation = Relation::equal;
     double value_SI = 0;
-    std::string value_text;  ///< "60 mm"
-    double within = 0;       ///< equal: allowed relative difference
+    std::string value_text, unit = {};  ///< "60 mm", "mm"
+    double SI_per_unit = 1;
+    double within = 0;  ///< equal: allowed relative difference
 };
 
 struct Goal {
@@ -70,7 +71,11 @@ struct Goal {
     bool stable = false;              ///< the states up to the last value of a target must be stable
 };
 
-/// Throws Error (bad_input) with file, line, problem and remedy.
+/// Throws Error (bad_input) with file, line, problem and remedy. Whole numbers are found by start_of.
 [[nodiscard]] Goal read_goal(std::string_view text, std::string_view source);
+
+/// The values of the variables in the design, SI. Sets Variable::is_whole for the keys of counts. Throws Error (bad_input) for a variable that is
+/// not a number of the design, and for a count whose range does not end at whole numbers.
+[[nodiscard]] std::vector<double> start_of(Goal& goal, const design::Design& design);
 
 }  // namespace soft::optimize

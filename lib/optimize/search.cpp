@@ -82,6 +82,14 @@ public:
 private:
     [[nodiscard]] double range(std::size_t i) const { return goal_.variables[i].to - goal_.variables[i].from; }
 
+    [[nodiscard]] Found found_of(const std::vector<double>& values, const Trial& trial) const {
+        Found found{values, trial, goal_.stable && !trial.is_stable ? 1.0 : 0.0, static_cast<int>(trials_.size())};
+        for (std::size_t i = 0; i < goal_.conditions.size(); ++i)
+            found.violation =
+                std::max(found.violation, violation_of(goal_.conditions[i], trial.conditions[i].value_SI));
+        return found;
+    }
+
     const Trial& at(const std::vector<double>& values) {
         if (const auto known = trials_.find(values); known != trials_.end()) return known->second;
         const Trial& trial = trials_.emplace(values, evaluate_(values)).first->second;
@@ -89,11 +97,7 @@ private:
             if (first_failure_.empty()) first_failure_ = trial.failure;
             return trial;
         }
-        Found found{values, trial, 0, static_cast<int>(trials_.size())};
-        for (std::size_t i = 0; i < goal_.conditions.size(); ++i)
-            found.violation =
-                std::max(found.violation, violation_of(goal_.conditions[i], trial.conditions[i].value_SI));
-        if (goal_.stable && !trial.is_stable) found.violation = std::max(found.violation, 1.0);
+        const Found found = found_of(values, trial);
         if (!best_ || is_better(found, *best_)) {
             best_ = found;
             progress_(*best_);
@@ -107,7 +111,7 @@ private:
         return objective(a.trial, nullptr) < objective(b.trial, nullptr);
     }
 
-    /// The measure to be minimized, or the sum of the squared relative differences from the targets; gradient by the variables, SI.
+    /// The measure to be minimized, or the sum of the squared differences from the targets over what is allowed; gradient by the variables, SI.
     double objective(const Trial& trial, std::vector<double>* gradient) const {
         if (goal_.minimize) {
             if (gradient != nullptr) *gradient = trial.objective.gradient;
@@ -118,11 +122,12 @@ private:
         for (std::size_t i = 0; i < goal_.conditions.size(); ++i) {
             const Condition& condition = goal_.conditions[i];
             if (condition.relation != Condition::Relation::equal) continue;
-            const double off = trial.conditions[i].value_SI / condition.value_SI - 1;
+            const double allowed = condition.within * condition.value_SI,
+                         off = (trial.conditions[i].value_SI - condition.value_SI) / allowed;
             sum += off * off;
             if (gradient != nullptr)
                 for (std::size_t k = 0; k < gradient->size(); ++k)
-                    (*gradient)[k] += 2 * off * trial.conditions[i].gradient[k] / condition.value_SI;
+                    (*gradient)[k] += 2 * off * trial.conditions[i].gradient[k] / allowed;
         }
         return sum;
     }
@@ -172,7 +177,7 @@ private:
         const auto fill = [&](const std::vector<double>& gradient, double factor, double* out) {
             for (std::size_t k = 0; k < n; ++k) out[k] = factor * gradient[continuous_[k]] * range(continuous_[k]);
         };
-        const double first = goal_.minimize ? std::abs(objective(trial_at(point.data()), nullptr)) : 1;
+        const double first = std::abs(objective(trial_at(point.data()), nullptr));
         const double scale = first > 0 ? 1 / first : 1;
         const std::vector<Inequality> constraints = inequalities();
 
@@ -246,10 +251,7 @@ private:
         for (const auto& [at_values, trial] : trials_) {
             const bool same = std::ranges::all_of(whole_, [&](std::size_t i) { return at_values[i] == values[i]; });
             if (!same || !trial.failure.empty()) continue;
-            Found found{at_values, trial, 0, 0};
-            for (std::size_t i = 0; i < goal_.conditions.size(); ++i)
-                found.violation =
-                    std::max(found.violation, violation_of(goal_.conditions[i], trial.conditions[i].value_SI));
+            Found found = found_of(at_values, trial);
             if (!best || is_better(found, *best)) best = std::move(found);
         }
         return best ? std::optional(best->values) : std::nullopt;
@@ -295,7 +297,7 @@ Found search(const Goal& goal, const std::vector<double>& first, int starts, con
         }
         search.run_from(point);
     }
-    if (!search.is_met() || goal.minimize) static_cast<void>(search.result());  // refuses a goal without any success
+    static_cast<void>(search.result());  // refuses a goal without any success
     if (!search.is_met() || goal.minimize) search.try_neighbours();
     return search.result();
 }

@@ -21,9 +21,7 @@ using Cases = std::vector<std::array<model::Case, 2>>;
 constexpr const char* stretch = "stretch_p99";
 
 double rubber_volume_m3(const model::Case& model) {
-    const auto kind =
-        model.kinematics == model::Kinematics::axisymmetric ? mesh::Measure::revolved : mesh::Measure::plain;
-    return mesh::measure(model.mesh, kind) / model.model_fraction;
+    return mesh::measure(model.mesh, geometry::measure_of(model)) / model.model_fraction;
 }
 
 /// Undeformed, of the first load.
@@ -80,8 +78,8 @@ double slope_ratio(const Solved& solved, std::size_t row, const Quantity& quanti
     return turn == 0 ? 0 : (steps[after].stretch_p99 - steps[before].stretch_p99) / turn;
 }
 
-/// Value and gradient of a quantity where the path first reaches a value of another one.
-Trial::Value value_on_curve(const Solved& solved, const Measure& measure, std::size_t variables) {
+/// Value and gradient of a quantity where the path first reaches a value of another one; raises `last_row` to the row there.
+Trial::Value value_on_curve(const Solved& solved, const Measure& measure, std::size_t variables, double& last_row) {
     const Quantity quantity = quantity_named(solved, measure.quantity, measure.text),
                    at = quantity_named(solved, measure.at, measure.text);
     if (at.index > solved.model.outputs.size())
@@ -108,20 +106,21 @@ Trial::Value value_on_curve(const Solved& solved, const Measure& measure, std::s
                         " to " + post::value_text(curve.columns[prescribed], highest));
     }
     const auto row = path.at(crossings.front());
+    last_row = std::max(last_row, row[curve.index_of(*curve.find("step"))]);
     Trial::Value value{row[shown] * curve.columns[shown].SI_per_unit, std::vector<double>(variables)};
     for (std::size_t k = 0; k < solved.cases.size(); ++k) value.gradient[solved.variable_of[k]] = row[first + k];
     return value;
 }
 
-Trial::Value limit_of(const Solved& solved, const Condition& condition, std::size_t variables) {
-    const Measure& measure = condition.measure;
+/// `enough_SI`: a path without limit point that reaches this load counts as having its limit beyond its largest load.
+Trial::Value limit_of(const Solved& solved, const Measure& measure, double enough_SI, std::size_t variables) {
     const post::Column& load = *solved.curve.find(post::Source::load);
     if (measure.quantity != load.quantity)
         throw does_not_fit(measure.text, "the load of the design is " + load.quantity);
     Trial::Value value{0, std::vector<double>(variables)};
     if (solved.end.limit_points.empty()) {
         for (const model::Step& step : solved.steps) value.value_SI = std::max(value.value_SI, step.pressure_Pa);
-        if (condition.relation == Condition::Relation::above && value.value_SI >= condition.value_SI) return value;
+        if (value.value_SI >= enough_SI) return value;
         throw Error(ExitCode::stopped_early, measure.text,
                     "the path has none up to " + post::value_text(load, post::in_column_unit(load, value.value_SI)),
                     "request a larger load in the design");
@@ -157,20 +156,23 @@ Trial::Value sum_of_keys(const design::Design& design, const Goal& goal, const M
     return value;
 }
 
-/// The path ends where its last value is measured, if all are given at values of one quantity; with a limit point it does not.
-std::optional<design::Override> end_of_path(const Goal& goal) {
+/// The path ends where its last value is taken, if all are given at values of one quantity that `path.until` knows.
+std::optional<design::Override> end_of_path(const Goal& goal, const design::Design& design) {
+    std::vector<const Measure*> measures;
+    for (const Condition& condition : goal.conditions) measures.push_back(&condition.measure);
+    if (goal.minimize) measures.push_back(&*goal.minimize);
     const Measure* last = nullptr;
-    const auto consider = [&](const Measure& measure) {
-        if (measure.kind == Measure::Kind::limit) return false;
-        if (measure.kind != Measure::Kind::curve) return true;
-        if (last != nullptr && last->at != measure.at) return false;
-        if (last == nullptr || std::abs(measure.at_SI) > std::abs(last->at_SI)) last = &measure;
-        return true;
-    };
-    for (const Condition& condition : goal.conditions)
-        if (!consider(condition.measure)) return std::nullopt;
-    if (goal.minimize && !consider(*goal.minimize)) return std::nullopt;
-    if (last == nullptr) return std::nullopt;
+    for (const Measure* measure : measures) {
+        if (measure->kind == Measure::Kind::limit) return std::nullopt;
+        if (measure->kind != Measure::Kind::curve) continue;
+        if (last != nullptr && last->at != measure->at) return std::nullopt;
+        if (last == nullptr || std::abs(measure->at_SI) > std::abs(last->at_SI)) last = measure;
+    }
+    if (last == nullptr || design.path.stages.size() != 1) return std::nullopt;
+    const bool is_output =
+        std::ranges::find(design.outputs, last->at, &design::Design::OutputRequest::name) != design.outputs.end();
+    const bool is_pressure = last->at == "pressure" && !design.loads.empty();
+    if (!is_output && !is_pressure) return std::nullopt;
     return design::Override{"path.until." + last->at, last->at_text, {}};
 }
 
@@ -208,32 +210,39 @@ Solved solve(const Goal& goal, const design::Design& design, const Base& base, c
 Trial evaluate(const Goal& goal, const Base& base, const std::vector<double>& values,
                const MakeContactCheck& contact_check) {
     std::vector<design::Override> overrides = goal.set;
-    if (const auto end = end_of_path(goal)) overrides.push_back(*end);
     for (std::size_t i = 0; i < values.size(); ++i)
         overrides.push_back(
             {goal.variables[i].key, goal.variables[i].text_of(values[i]), "vary." + goal.variables[i].key});
     Trial trial;
     const std::size_t count = goal.variables.size();
     try {
-        const design::Design design =
-            design::read_design(base.text, base.source, geometry::catalogue_keys(), overrides);
+        const auto read = [&] {
+            return design::read_design(base.text, base.source, geometry::catalogue_keys(), overrides);
+        };
+        design::Design design = read();
+        if (const auto end = end_of_path(goal, design)) {
+            overrides.push_back(*end);
+            design = read();
+        }
         const Solved solved = solve(goal, design, base, contact_check);
-        const auto measured = [&](const Measure& measure) {
+        constexpr double never = std::numeric_limits<double>::infinity();
+        double last_row = -1;  // at which a value of the curve is taken
+        const auto measured = [&](const Measure& measure, double enough_SI) {
             switch (measure.kind) {
-                case Measure::Kind::curve: return value_on_curve(solved, measure, count);
-                case Measure::Kind::limit:  // only of conditions
+                case Measure::Kind::curve: return value_on_curve(solved, measure, count, last_row);
+                case Measure::Kind::limit: return limit_of(solved, measure, enough_SI, count);
                 case Measure::Kind::rubber_volume: return volume_of(solved, rubber_volume_m3, count);
                 case Measure::Kind::cavity_volume: return volume_of(solved, cavity_volume_m3, count);
                 case Measure::Kind::keys: break;
             }
             return sum_of_keys(design, goal, measure);
         };
-        for (const Condition& condition : goal.conditions)
-            trial.conditions.push_back(condition.measure.kind == Measure::Kind::limit
-                                           ? limit_of(solved, condition, count)
-                                           : measured(condition.measure));
-        if (goal.minimize) trial.objective = measured(*goal.minimize);
-        for (const model::Step& step : solved.steps) trial.is_stable = trial.is_stable && step.stable;
+        for (const auto& [measure, relation, value_SI, value_text, unit, SI_per_unit, within] : goal.conditions)
+            trial.conditions.push_back(measured(measure, relation == Condition::Relation::above ? value_SI : never));
+        if (goal.minimize) trial.objective = measured(*goal.minimize, never);
+        for (std::size_t row = 0; row < solved.steps.size(); ++row)
+            if (last_row < 0 || static_cast<double>(row) < std::ceil(last_row) + 1)
+                trial.is_stable = trial.is_stable && solved.steps[row].stable;
     } catch (const Error& error) {
         if (error.code() != ExitCode::bad_input && error.code() != ExitCode::stopped_early) throw;
         trial.failure = error.what();

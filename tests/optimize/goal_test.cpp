@@ -37,8 +37,6 @@ TEST(Goal, HasVariablesConditionsAndAnObjective) {
     EXPECT_DOUBLE_EQ(goal.variables[0].from, 1.5e-3);
     EXPECT_FALSE(goal.variables[0].is_whole);
     EXPECT_EQ(goal.variables[0].text_of(2.5e-3), "2.5 mm");
-    EXPECT_TRUE(goal.variables[1].is_whole);
-    EXPECT_EQ(goal.variables[1].text_of(7.2), "7");
     ASSERT_EQ(goal.conditions.size(), 4u);
     EXPECT_DOUBLE_EQ(goal.conditions[0].value_SI, 0.06);
     EXPECT_DOUBLE_EQ(goal.conditions[0].measure.at_SI, 20e3);
@@ -53,6 +51,26 @@ TEST(Goal, HasVariablesConditionsAndAnObjective) {
     EXPECT_TRUE(goal.stable);
     ASSERT_TRUE(goal.minimize);
     EXPECT_EQ(goal.minimize->kind, Measure::Kind::rubber_volume);
+}
+
+TEST(Goal, KeysOfCountsStayWhole) {
+    Goal goal = read_goal(whole, "goal.yaml");
+    design::Design design;
+    design.parameters = {{"geometry.wall", "mm", 1e-3, 3e-3}};
+    design.values.set("geometry.wall", {3e-3, "3 mm", "", true, {3e-3}});
+    design.values.set("geometry.convolutions", {10, "10", "", true, {10}});
+    EXPECT_EQ(start_of(goal, design), (std::vector<double>{3e-3, 10}));
+    EXPECT_FALSE(goal.variables[0].is_whole);
+    EXPECT_TRUE(goal.variables[1].is_whole);
+    EXPECT_EQ(goal.variables[1].text_of(7.2), "7");
+    goal.variables[1].to = 13.5;
+    EXPECT_THROW(static_cast<void>(start_of(goal, design)), Error);
+    // A pure number that is no count varies continuously, also between whole ends.
+    Goal ratio = read_goal("design: a.yaml\nvary: {material.alpha: {from: 1, to: 5}}\nminimize: rubber_volume\n", "g");
+    design.parameters.push_back({"material.alpha", "", 1, 2});
+    design.values.set("material.alpha", {2, "2", "", true, {2}});
+    static_cast<void>(start_of(ratio, design));
+    EXPECT_FALSE(ratio.variables[0].is_whole);
 }
 
 TEST(Goal, RefusesWithPlaceProblemAndRemedy) {

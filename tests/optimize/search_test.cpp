@@ -54,6 +54,14 @@ TEST(Search, WithoutAnObjectiveMeetsTheTargets) {
     EXPECT_NEAR(found.values[0] * found.values[1], 1, 1e-3);
 }
 
+TEST(Search, TargetsCountByWhatTheyAllow) {
+    // x = 3 within 0.1 % and x = 2 within 60 %: 3 meets both; the mean of both does not
+    const Goal goal = goal_of({variable("x", 1, 4)}, {condition(equal, 3), condition(equal, 2, 0.6)}, false);
+    const auto line = [](const std::vector<double>& v) { return Trial{"", {{v[0], {1}}, {v[0], {1}}}, {}, true}; };
+    const Found found = search(goal, {1}, 1, line, silent);
+    EXPECT_EQ(found.violation, 0);
+}
+
 TEST(Search, ReturnsTheNearestWhereNothingMeetsTheConditions) {
     const Goal goal = goal_of({variable("x", 0, 1)}, {condition(equal, 5), condition(below, 2)}, false);
     const auto line = [](const std::vector<double>& v) { return Trial{"", {{v[0], {1}}, {v[0], {1}}}, {}, true}; };

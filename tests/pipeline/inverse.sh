@@ -50,6 +50,14 @@ runs 'optimize goal.yaml --starts 1 -q -o found.yaml'
 runs 'mesh-gen -q found.yaml | solve -q --json solve.json | postprocess -q -o curve.csv'
 claim "the limit pressure is reached" within "$(json solve.json limit_points 0 pressure_Pa)" 79600 80400
 
+# A traction, which path.until does not know; stability up to the last value, although the path goes on beyond its limit point
+printf 'design: designs/panel.yaml\nset: {mesh.quality: draft}\nvary: {geometry.rise: {from: 35 mm, to: 50 mm}}\ntargets: [{deflection: 9.5 mm, at: {traction: 20 kPa}}]\n' >goal.yaml
+runs 'optimize goal.yaml --starts 1 -q -o found.yaml'
+runs 'mesh-gen -q found.yaml | solve -q | postprocess -q --at traction=20kPa -o curve.csv'
+claim "a deflection under traction is reached" reaches deflection_mm 9.45 9.55
+printf 'design: designs/tube.yaml\nset: {loads.cavity.pressure: 200 kPa}\nvary: {material.mu: {from: 0.1 MPa, to: 0.5 MPa}}\ntargets: [{limit: {pressure: 60 kPa}}, {elongation: 2 mm, at: {pressure: 30 kPa}, within: 90 %%}]\nconstraints: [{stable: true}]\n' >goal.yaml
+runs 'optimize goal.yaml --starts 1 -q -o found.yaml'
+
 goal 'vary: {geometry.wall: {from: 2 mm, to: 4 mm}}
 targets: [{elongation: 60 mm, at: {pressure: 20 kPa}}]'
 run 'optimize goal.yaml --starts 1 -o nearest.yaml'
@@ -60,7 +68,7 @@ claim "and the end of the range" grep -q '^# geometry.wall: 4 mm, at the end of 
 
 goal 'vary: {geometry.wal: {from: 2 mm, to: 4 mm}}
 targets: [{elongation: 60 mm, at: {pressure: 20 kPa}}]'
-refuses 65 'optimize: vary.geometry.wal: is not a number of the design that differs from 0; did you mean*' 'optimize goal.yaml -q'
+refuses 65 'optimize: vary.geometry.wal: is neither a number of the design that differs from 0 nor a count; did you mean*' 'optimize goal.yaml -q'
 goal 'vary: {geometry.wall: {from: 2 mm, to: 4 mm}}
 targets: [{elongatio: 60 mm, at: {pressure: 20 kPa}}]'
 refuses 65 "optimize: no trial succeeds: *'elongatio' is neither the load nor an output*" 'optimize goal.yaml -q --starts 1'
