@@ -242,6 +242,13 @@ Node* find_path(Node& root, std::string_view path) {
     return const_cast<Node*>(find_path(std::as_const(root), path));
 }
 
+void require_known_keys(const Node& map, const std::vector<std::string>& known, const std::string& path) {
+    for (const Member& member : map.members)
+        if (std::ranges::find(known, member.key) == known.end())
+            refuse(member.location, path.empty() ? member.key : path + "." + member.key, "unknown key",
+                   core::did_you_mean(member.key, known));
+}
+
 void put(Node& root, std::string_view path, Node value) {
     Node* node = &root;
     const std::string location = value.location;

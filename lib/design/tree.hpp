@@ -46,6 +46,9 @@ struct DocumentKind {
 [[nodiscard]] Node* find_path(Node& root, std::string_view path);
 [[nodiscard]] const Member* find_member(const Node& map, std::string_view key);
 
+/// Throws Error (bad_input) for a key of the map that is not among `known`; `path` is that of the map, empty for the root.
+void require_known_keys(const Node& map, const std::vector<std::string>& known, const std::string& path);
+
 /// Sets the value at `path` and creates missing maps; new keys get the location of the value. Throws Error(bad_input) if an
 /// enclosing node is a single value or a list.
 void put(Node& root, std::string_view path, Node value);

@@ -27,12 +27,6 @@ void require_map(const Node& node, const std::string& path, const std::string& e
         refuse(node.location, path, "a group of keys is needed here", "write for example " + example);
 }
 
-void check_keys(const Node& map, const std::vector<std::string>& known, const std::string& path) {
-    for (const Member& one : map.members)
-        if (std::ranges::find(known, one.key) == known.end())
-            refuse(one.location, path, "unknown key " + core::quoted(one.key), core::did_you_mean(one.key, known));
-}
-
 /// A quantity as written.
 struct Written {
     double SI = 0;
@@ -60,7 +54,7 @@ Variable variable_of(const Member& member_of_vary) {
     const std::string path = "vary." + member_of_vary.key;
     const Node& range = member_of_vary.value;
     require_map(range, path, "{from: 1.5 mm, to: 4 mm}");
-    check_keys(range, {"from", "to"}, path);
+    design::require_known_keys(range, {"from", "to"}, path);
     const Node &from = member(range, "from", path), &to = member(range, "to", path);
     const Written low = quantity_of(from, path + ".from"), high = quantity_of(to, path + ".to");
     if (!(low.SI < high.SI)) refuse(to.location, path + ".to", "is not larger than `from`");
@@ -118,7 +112,7 @@ std::optional<Measure> volume_named(const std::string& name) {
 /// A bound {below: 2} or {above: 2}.
 void read_bound(const Node& bound, const std::string& path, Condition& condition) {
     require_map(bound, path, "{below: 2}");
-    check_keys(bound, {"below", "above"}, path);
+    design::require_known_keys(bound, {"below", "above"}, path);
     condition.relation = bound.members.front().key == "below" ? Condition::Relation::below : Condition::Relation::above;
     const Written value = quantity_of(bound.members.front().value, path);
     set_value(condition, value);
@@ -220,7 +214,7 @@ std::string Variable::text_of(double value_SI) const {
 Goal read_goal(std::string_view text, std::string_view source) {
     const Node root = design::parse_yaml(text, source, {"goal", "see docs/tutorials/inverse.md for a goal"});
     require_map(root, "", "design: bellows.yaml");
-    check_keys(root, {"design", "set", "vary", "targets", "minimize", "constraints"}, "");
+    design::require_known_keys(root, {"design", "set", "vary", "targets", "minimize", "constraints"}, "");
     Goal goal;
     const Node& design_file = member(root, "design", "design");
     goal.design_file = design_file.text;

@@ -24,13 +24,6 @@ const std::vector<std::string>& range_keys() {
     return keys;
 }
 
-void check_keys(const Node& map, const std::vector<std::string>& known, const std::string& path) {
-    for (const Member& member : map.members)
-        if (std::ranges::find(known, member.key) == known.end())
-            refuse(member.location, path.empty() ? member.key : path + "." + member.key, "unknown key",
-                   core::did_you_mean(member.key, known));
-}
-
 SourceText single_value(const Node& node, const std::string& path, const std::string& example) {
     if (node.kind != Node::Kind::scalar || core::trimmed(node.text).empty())
         refuse(node.location, path, "a single value is needed here", "write for example " + example);
@@ -96,7 +89,7 @@ const Node& required_value(const Node& map, std::string_view key, const SourceTe
 }
 
 Range range_of(const Node& node, const std::string& path, Method method) {
-    check_keys(node, range_keys(), path);
+    design::require_known_keys(node, range_keys(), path);
     Range range;
     range.from =
         single_value(required_value(node, "from", {path + ".from", node.location}, "2 mm"), path + ".from", "2 mm");
@@ -200,7 +193,7 @@ Sweep read_sweep(std::string_view text, std::string_view source) {
     const Node root = design::parse_yaml(text, source, {"sweep", "see docs/guides/sweeps.md"});
     const std::string top = std::string{source} + ":1:1";
     if (root.kind != Node::Kind::map) refuse(top, "", "a sweep is a group of keys", "write design: ..., vary: {...}");
-    check_keys(root, top_keys(), "");
+    design::require_known_keys(root, top_keys(), "");
     Sweep sweep;
     sweep.source = source;
     sweep.design = single_value(required_value(root, "design", {"design", top}, "designs/tube.yaml"), "design",
