@@ -48,8 +48,11 @@ bool has_passed_through(const ContactSurface::Entry& entry, std::size_t q, const
     const auto at = undeformed(before.xi);
     const Vector3 n = cross(at.t1, at.t2), arm = difference(entry.X[q], at.x);
     const double height = dot(arm, n) / norm(n), off_m = off_the_plane * before.distance_m;
-    if (height > off_m) return true;
-    return faces && (height > -off_m || distance_m < least_compression * before.distance_m);
+    const auto own = entry.undeformed(entry.rule->xi[q]);
+    const Vector3 outward = cross(own.t1, own.t2);
+    const bool through_rubber = dot(arm, outward) > off_m * norm(outward);
+    if (height > off_m) return faces || (dot(n, outward) < 0 && !through_rubber);
+    return faces && ((height > -off_m && !through_rubber) || distance_m < least_compression * before.distance_m);
 }
 
 FacetContact::FacetContact(const ContactState& at, std::size_t facet, std::span<const std::size_t> others,

@@ -12,8 +12,9 @@
 
 namespace soft::contact {
 
-/// Whether a sample point that is `distance_m` behind a facet has passed through it. In the undeformed state it was in front of it; or in its
-/// plane, and now faces it; or behind it, and now faces it and is closer than rubber between them can be.
+/// Whether a sample point that is `distance_m` behind a facet has passed through it. In the undeformed state it was in front of it, and faced it
+/// through air then or does now (two parts of a concave surface do not, and a fold puts one behind the other); or in its plane without rubber
+/// between them, and now faces it; or behind it, and now faces it and is closer than rubber between them can be.
 [[nodiscard]] bool has_passed_through(const ContactSurface::Entry& entry, std::size_t q, const Patch& undeformed,
                                       double distance_m, bool faces);
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <numeric>
 
 #include "../fem/block_mesh.hpp"
@@ -329,6 +330,54 @@ TEST(Potential, ActsOnlyBetweenTheClosestFacetsOfABlock) {
     // Half of each side: on the right, the points opposite the end.
     const double expected = 0.5 * k * (barrier(gap, wide).value_m + barrier(gap, narrow).value_m);
     EXPECT_NEAR(at.energy_J, expected, 0.1 * expected);
+}
+
+double energy_J(const mesh::Mesh& undeformed, const std::vector<Point>& positions) {
+    Potential potential(with_settings(test::make_case(undeformed, model::Kinematics::plane_strain)),
+                        std::array{modulus_Pa});
+    return derivatives(potential, positions, {}).summary.energy_J;
+}
+
+/// A strip with a concave end that folds to the other side: its parts lie behind each other's planes, and nothing has passed through.
+TEST(Potential, DoesNotActBetweenPartsOfAConcaveSurfaceThatFolds) {
+    mesh::Mesh mesh = test::block(
+        2,
+        [](double u, double v, double) {
+            return Point{u < 1.0 / 3 ? 15 * u : u < 2.0 / 3 ? 4.5 + 1.5 * u : 5.3 + 0.3 * u, 0.1 * v, 0};
+        },
+        {3, 1, 1}, "strip");
+    const auto bent = [&](double curvature) {
+        std::vector<Point> points = mesh.points;
+        for (Point& x : points) {
+            const double angle = curvature * std::max(0.0, x[0] - 5), start = std::min(x[0], 5.0);
+            x = {start + (std::sin(angle) - curvature * x[1] * std::sin(angle)) / curvature,
+                 x[1] + (1 - std::cos(angle)) * (1 / curvature - x[1]), 0};
+        }
+        return points;
+    };
+    const std::vector<Point> folded = bent(-2.5);
+    mesh.points = bent(2.5);
+    EXPECT_EQ(energy_J(mesh, folded), 0);
+}
+
+/// The side of a web lies in one plane with a point of the outer surface of the wall above it. When the wall turns, that point is behind the
+/// side's plane, with rubber between them.
+TEST(Potential, DoesNotActThroughAWallThatTurns) {
+    test::MeshBuilder builder(2);
+    for (const auto& [x, y] :
+         {std::pair{test::Interval{-1, 0}, test::Interval{-4, 0}}, {{-1, 0}, {0, 1}}, {{0, 6}, {0, 1}}})
+        builder.add_block(test::box(x, y), 1, 1, 1);
+    const mesh::Mesh mesh = builder.take();
+    const double angle = 40 * std::numbers::pi / 180;
+    std::vector<Point> positions = mesh.points;
+    for (Point& x : positions) {
+        if (x[1] < 0) continue;
+        const double right = std::max(x[0], 0.0), share = std::min(1 + x[0], 1.0);  // of the turn, over the web
+        const Point turned{std::cos(angle) * right - std::sin(angle) * x[1],
+                           std::sin(angle) * right + std::cos(angle) * x[1], 0};
+        x = {std::lerp(-1, turned[0], share), std::lerp(x[1], turned[1], share), 0};
+    }
+    EXPECT_EQ(energy_J(mesh, positions), 0);
 }
 
 TEST(Barrier, HasTwoContinuousDerivativesAndRepels) {
