@@ -3,7 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <cerrno>
+#include <cstdlib>
 #include <filesystem>
+#include <system_error>
 
 #include "cli.hpp"
 #include "contact_check.hpp"
@@ -13,12 +16,13 @@
 #include "geometry/family.hpp"
 #include "library_versions.hpp"
 #include "linalg/session.hpp"
-#include "optimize/search.hpp"
+#include "optimize/data.hpp"
+#include "optimize_report.hpp"
+#include "optimize_trials.hpp"
 
 namespace {
 
 using namespace soft;
-using optimize::Condition;
 
 const cli::About about{
     .tool = "optimize",
@@ -37,8 +41,15 @@ const cli::About about{
 
 struct OptimizeOptions {
     cli::CommonOptions common;
-    std::string input, starts = "3";
+    std::string input, folder, starts = "3", jobs = "1";
+    bool resume = false;
 };
+
+void check_count(const std::string& option, const std::string& text) {
+    const auto count = core::parse_count(text);
+    if (const long* number = std::get_if<long>(&count); number == nullptr || *number < 1 || *number > 1000)
+        throw Error(ExitCode::usage, option, core::quoted(text) + " is not a number from 1 to 1000");
+}
 
 std::optional<OptimizeOptions> parse_optimize_options(int argc, char** argv) {
     OptimizeOptions options;
@@ -47,104 +58,46 @@ std::optional<OptimizeOptions> parse_optimize_options(int argc, char** argv) {
     app.add_option("--starts", options.starts, "Number of points from which the search starts; the first is the design")
         ->type_name("N")
         ->capture_default_str();
+    app.add_option("--jobs", options.jobs, "Number of starts that run side by side, each on one core")
+        ->type_name("N")
+        ->capture_default_str();
+    auto* const folder = app.add_option("--folder", options.folder, "Keep the trials in FOLDER")->type_name("FOLDER");
+    app.add_flag("--resume", options.resume, "Continue the search whose trials are in FOLDER")->needs(folder);
     cli::add_common_options(app, options.common, about);
     if (!cli::parse(app, about, options.common, argc, argv)) return std::nullopt;
-    const auto starts = core::parse_count(options.starts);
-    if (const long* number = std::get_if<long>(&starts); number == nullptr || *number < 1 || *number > 1000)
-        throw Error(ExitCode::usage, "--starts", core::quoted(options.starts) + " is not a number from 1 to 1000");
+    check_count("--starts", options.starts);
+    check_count("--jobs", options.jobs);
     cli::check_distinct({{"GOAL", options.input}}, options.common);
     return options;
 }
 
-/// The base design, from the folder of the goal.
-cli::Input read_base(const optimize::Goal& goal) {
-    return cli::read_design(design::file_from(goal.location, goal.design_file));
-}
-
-std::string value_text(const Condition& condition, double value_SI) {
-    std::string text = core::rounded_text(value_SI / condition.SI_per_unit, 5);
-    if (!condition.unit.empty()) text.append(" ").append(condition.unit);
-    return text;
-}
-
-std::string relation_text(const Condition& condition) {
-    switch (condition.relation) {
-        case Condition::Relation::equal: return "wanted " + condition.value_text;
-        case Condition::Relation::below: return "below " + condition.value_text;
-        case Condition::Relation::above: break;
+/// The designs of the runs, from the folder of the goal.
+std::vector<optimize::Base> read_bases(const optimize::Goal& goal) {
+    std::vector<optimize::Base> bases;
+    for (const optimize::Run& run : goal.runs) {
+        const cli::Input input = cli::read_design(design::file_from(run.location, run.design_file));
+        bases.push_back({std::string{input.text()}, input.source});
     }
-    return "above " + condition.value_text;
+    return bases;
 }
 
-/// A bound within this fraction of its value is active.
-constexpr double active_share = 2e-3;
-
-std::string condition_text(const Condition& condition, double value_SI) {
-    std::string text =
-        condition.measure.text + ": " + value_text(condition, value_SI) + ", " + relation_text(condition);
-    if (optimize::violation_of(condition, value_SI) > 0) return text + ": not met";
-    const bool bound = condition.relation != Condition::Relation::equal;
-    if (bound && std::abs(value_SI - condition.value_SI) <= active_share * std::abs(condition.value_SI))
-        text += ": active";
-    return text;
-}
-
-std::vector<std::string> report_lines(const optimize::Goal& goal, const optimize::Found& found) {
-    std::vector<std::string> lines;
-    for (std::size_t i = 0; i < goal.variables.size(); ++i) {
-        const optimize::Variable& variable = goal.variables[i];
-        const bool at_end = found.values[i] - variable.from <= 1e-6 * (variable.to - variable.from) ||
-                            variable.to - found.values[i] <= 1e-6 * (variable.to - variable.from);
-        lines.push_back(variable.key + ": " + variable.text_of(found.values[i]) +
-                        (at_end ? ", at the end of its range" : ""));
-    }
-    for (std::size_t i = 0; i < goal.conditions.size(); ++i)
-        lines.push_back(condition_text(goal.conditions[i], found.trial.conditions[i].value_SI));
-    if (goal.stable) lines.emplace_back(found.trial.is_stable ? "stable" : "stable: not met");
-    if (goal.minimize) {
-        const bool volume = goal.minimize->kind != optimize::Measure::Kind::curve;
-        lines.push_back(goal.minimize->text + ": " +
-                        (volume ? core::quantity_text(found.trial.objective.value_SI, core::Dimension::volume)
-                                : core::rounded_text(found.trial.objective.value_SI, 5)) +
-                        ", minimized");
-    }
-    return lines;
-}
-
-nlohmann::ordered_json report_json(const optimize::Goal& goal, const optimize::Found& found) {
-    nlohmann::ordered_json json = cli::summary_head(about.tool);
-    json["met"] = found.violation <= 0;
-    json["violation"] = found.violation;
-    json["trials"] = found.trials;
-    const auto gradient_json = [&](const std::vector<double>& gradient) {
-        nlohmann::ordered_json by_variable;
-        for (std::size_t k = 0; k < gradient.size(); ++k)
-            if (!goal.variables[k].is_whole) by_variable[goal.variables[k].key] = gradient[k];
-        return by_variable;
-    };
-    for (std::size_t i = 0; i < goal.variables.size(); ++i)
-        json["values"][goal.variables[i].key] = goal.variables[i].text_of(found.values[i]);
-    for (std::size_t i = 0; i < goal.conditions.size(); ++i) {
-        const auto& value = found.trial.conditions[i];
-        json["conditions"].push_back({{"text", condition_text(goal.conditions[i], value.value_SI)},
-                                      {"value_SI", value.value_SI},
-                                      {"violation", optimize::violation_of(goal.conditions[i], value.value_SI)},
-                                      {"derivatives_SI", gradient_json(value.gradient)}});
-    }
-    if (goal.minimize)
-        json["objective"] = {{"text", goal.minimize->text},
-                             {"value_SI", found.trial.objective.value_SI},
-                             {"derivatives_SI", gradient_json(found.trial.objective.gradient)}};
-    return json;
+/// The values of the variables in the designs; also completes the goal.
+std::vector<double> complete(optimize::Goal& goal, std::span<const optimize::Base> bases) {
+    std::vector<design::Design> designs;
+    for (std::size_t run = 0; run < bases.size(); ++run)
+        designs.push_back(
+            design::read_design(bases[run].text, bases[run].source, geometry::catalogue_keys(), goal.runs[run].set));
+    optimize::add_data(goal, bases);
+    return optimize::start_of(goal, designs);
 }
 
 /// The base design with the values that were found, and the report as comments.
-std::string found_design(const optimize::Goal& goal, const optimize::Found& found, const cli::Input& base,
+std::string found_design(const optimize::Goal& goal, const optimize::Found& found, const optimize::Base& base,
                          const std::vector<std::string>& lines) {
-    design::Node root = design::parse_yaml(base.text(), base.source);
-    for (const design::Override& change : goal.set)
+    design::Node root = design::parse_yaml(base.text, base.source);
+    for (const design::Override& change : goal.runs.front().set)
         design::put(root, change.path, design::parse_fragment(change.value, change.location));
-    for (std::size_t i = 0; i < goal.variables.size(); ++i)
+    for (const std::size_t i : goal.runs.front().variables)
         design::put(root, goal.variables[i].key,
                     design::parse_fragment(goal.variables[i].text_of(found.values[i]), "vary"));
     std::string text;
@@ -152,38 +105,108 @@ std::string found_design(const optimize::Goal& goal, const optimize::Found& foun
     return text + design::write_yaml(root);
 }
 
+/// A folder that lasts as long as this object, unless the user named one.
+class Folder {
+public:
+    explicit Folder(const std::string& named) : path_(named), is_temporary_(named.empty()) {
+        if (is_temporary_) {
+            std::string name = (std::filesystem::temp_directory_path() / "optimize-XXXXXX").string();
+            if (::mkdtemp(name.data()) == nullptr)
+                throw Error(ExitCode::cannot_create, name, std::generic_category().message(errno));
+            path_ = name;
+        } else {
+            cli::make_folder(named);
+        }
+    }
+    ~Folder() {
+        std::error_code ignored;
+        if (is_temporary_) std::filesystem::remove_all(path_, ignored);
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
+
+private:
+    std::filesystem::path path_;
+    bool is_temporary_;
+};
+
+/// The search, with its trials in a file. Starts that run side by side only fill the file.
+class FiledSearch {
+public:
+    FiledSearch(const OptimizeOptions& options, cli::Console& console, const optimize::Goal& goal,
+                std::span<const optimize::Base> bases, const std::vector<double>& first, const std::string& identity)
+        : options_(options),
+          console_(console),
+          goal_(goal),
+          bases_(bases),
+          first_(first),
+          folder_(options.folder),
+          trials_(folder_.path(), identity, options.resume) {
+        if (options.resume) console.say(core::counted(trials_.size(), "trial") + " in " + folder_.path().string());
+    }
+
+    optimize::Found run() {
+        const int starts = std::stoi(options_.starts), jobs = std::min(starts, std::stoi(options_.jobs));
+        if (jobs > 1) {
+            run_side_by_side(jobs, [&](int job) {
+                const linalg::Session session{{}};
+                for (int start = job; start < starts; start += jobs)
+                    optimize::run_start(goal_, first_, {starts, start}, evaluate(),
+                                        progress("start " + std::to_string(start + 1) + ", "));
+            });
+            trials_.read();
+        }
+        const linalg::Session session{{}};
+        if (session.size() > 1) throw Error(ExitCode::usage, "", "runs on one rank only", "omit mpirun");
+        return optimize::search(goal_, first_, starts, evaluate(), progress(""));
+    }
+
+private:
+    [[nodiscard]] optimize::Evaluate evaluate() {
+        return [this](const std::vector<double>& values) {
+            ++trial_;
+            optimize::Trial trial = trials_.at(values, [this](const std::vector<double>& new_values) {
+                return optimize::evaluate(goal_, bases_, new_values, cli::contact_check);
+            });
+            if (!trial.failure.empty()) console_.detail("trial " + std::to_string(trial_) + ": " + trial.failure);
+            return trial;
+        };
+    }
+    [[nodiscard]] optimize::Progress progress(const std::string& start) {
+        return [this, start](const optimize::Found& best) {
+            console_.say(start + "trial " + std::to_string(trial_) + ": " + progress_text(goal_, best));
+        };
+    }
+
+    const OptimizeOptions& options_;
+    cli::Console& console_;
+    const optimize::Goal& goal_;
+    std::span<const optimize::Base> bases_;
+    const std::vector<double>& first_;
+    Folder folder_;
+    TrialFile trials_;
+    int trial_ = 0;
+};
+
 ExitCode run(const OptimizeOptions& options) {
     cli::Console console{about, options.common};
     const cli::Input input = cli::read_input(options.input, cli::max_design_bytes);
     optimize::Goal goal = optimize::read_goal(input.text(), input.source);
-    const cli::Input base = read_base(goal);
-    const std::vector<double> first =
-        optimize::start_of(goal, design::read_design(base.text(), base.source, geometry::catalogue_keys(), goal.set));
-    const linalg::Session session{{}};
-    if (session.size() > 1) throw Error(ExitCode::usage, "", "runs on one rank only", "omit mpirun");
+    const std::vector<optimize::Base> bases = read_bases(goal);
+    const std::vector<double> first = complete(goal, bases);
+    std::string identity = std::string{cli::version()} + std::string{input.text()} + options.starts;
+    for (const optimize::Base& base : bases) identity += base.text;
+    for (const optimize::Condition& condition : goal.conditions)
+        identity += condition.measure.text + " " + condition.value_text + "\n";
     optimize::Found found;
     {
         const cli::StdoutRedirection kept;
-        int trial = 0;
-        found = optimize::search(
-            goal, first, std::stoi(options.starts),
-            [&](const std::vector<double>& values) {
-                ++trial;
-                optimize::Trial result =
-                    optimize::evaluate(goal, {std::string{base.text()}, base.source}, values, cli::contact_check);
-                if (!result.failure.empty()) console.detail("trial " + std::to_string(trial) + ": " + result.failure);
-                return result;
-            },
-            [&](const optimize::Found& best) {
-                std::string text;
-                for (std::size_t i = 0; i < goal.conditions.size(); ++i)
-                    text +=
-                        (i == 0 ? "" : "; ") + condition_text(goal.conditions[i], best.trial.conditions[i].value_SI);
-                console.say("trial " + std::to_string(trial) + ": " + text);
-            });
+        found = FiledSearch(options, console, goal, bases, first, identity).run();
     }
     const std::vector<std::string> lines = report_lines(goal, found);
-    cli::write_output(options.common.output, found_design(goal, found, base, lines));
+    cli::write_output(options.common.output, found_design(goal, found, bases.front(), lines));
     if (!options.common.json.empty()) cli::write_json(options.common.json, report_json(goal, found));
     for (const std::string& line : lines) console.say(line);
     if (found.violation <= 0) return ExitCode::ok;

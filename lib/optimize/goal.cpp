@@ -54,7 +54,7 @@ Variable variable_of(const Member& member_of_vary) {
     const std::string path = "vary." + member_of_vary.key;
     const Node& range = member_of_vary.value;
     require_map(range, path, "{from: 1.5 mm, to: 4 mm}");
-    design::require_known_keys(range, {"from", "to"}, path);
+    design::require_known_keys(range, {"from", "to", "prior", "sd"}, path);
     const Node &from = member(range, "from", path), &to = member(range, "to", path);
     const Written low = quantity_of(from, path + ".from"), high = quantity_of(to, path + ".to");
     if (!(low.SI < high.SI)) refuse(to.location, path + ".to", "is not larger than `from`");
@@ -95,18 +95,21 @@ void read_at(const Node& entry, const std::string& path, Measure& measure) {
 
 void set_value(Condition& condition, const Written& value) {
     condition.value_SI = value.SI;
+    condition.scale_SI = value.SI == 0 ? 1 : std::abs(value.SI);
     condition.value_text = value.text;
     condition.unit = value.unit;
     condition.SI_per_unit = value.SI_per_unit;
 }
 
 /// The measure of a limit point.
-Measure limit_of(const std::string& load) { return {Measure::Kind::limit, load, {}, 0, {}, {}, "limit " + load}; }
+Measure limit_of(const std::string& load) {
+    return {.kind = Measure::Kind::limit, .quantity = load, .text = "limit " + load};
+}
 /// The measure that a word names without further keys.
 std::optional<Measure> volume_named(const std::string& name) {
     if (name != "rubber_volume" && name != "cavity_volume") return std::nullopt;
     const auto kind = name == "rubber_volume" ? Measure::Kind::rubber_volume : Measure::Kind::cavity_volume;
-    return Measure{kind, name, {}, 0, {}, {}, name};
+    return Measure{.kind = kind, .quantity = name, .text = name};
 }
 
 /// A bound {below: 2} or {above: 2}.
@@ -118,12 +121,95 @@ void read_bound(const Node& bound, const std::string& path, Condition& condition
     set_value(condition, value);
 }
 
-/// The member of an entry that is neither `at` nor `within`.
+/// The prior of a variable as a condition.
+std::optional<Condition> prior_of(const Member& variable) {
+    const std::string path = "vary." + variable.key;
+    const Node *prior = design::find(variable.value, "prior"), *deviation = design::find(variable.value, "sd");
+    if (prior == nullptr && deviation == nullptr) return std::nullopt;
+    if (prior == nullptr || deviation == nullptr)
+        refuse(variable.location, path, "`prior` and `sd` belong together",
+               "write for example prior: 84 kPa, sd: 5 kPa");
+    Condition condition;
+    condition.measure = {.kind = Measure::Kind::keys, .terms = {{1, variable.key}}, .text = "prior of " + variable.key};
+    set_value(condition, quantity_of(*prior, path + ".prior"));
+    const double sd = quantity_of(*deviation, path + ".sd").SI;
+    if (!(sd > 0)) refuse(deviation->location, path + ".sd", "must be more than 0");
+    condition.within = sd / condition.scale_SI;
+    condition.is_data = true;
+    return condition;
+}
+
+/// The changes under the key `set`.
+std::vector<design::Override> changes_of(const Node& map) {
+    std::vector<design::Override> changes;
+    const Node* set = design::find(map, "set");
+    if (set == nullptr) return changes;
+    for (const Member& one : set->members) {
+        if (one.value.kind != Node::Kind::scalar)
+            refuse(one.location, "set." + one.key, "a single value is needed here",
+                   "write for example mesh.size: 2 mm");
+        changes.push_back({one.key, one.value.text, one.location});
+    }
+    return changes;
+}
+
+/// The index of the run of an entry, which may have its own `design` and `set`.
+std::size_t run_of(const Node& entry, std::vector<Run>& runs) {
+    const Node* design_file = design::find(entry, "design");
+    Run run = runs.front();
+    if (design_file != nullptr) run = {design_file->text, design_file->location, {}};
+    const std::vector<design::Override> changes = changes_of(entry);
+    run.set.insert(run.set.end(), changes.begin(), changes.end());
+    const auto same = [&](const Run& other) {
+        return other.design_file == run.design_file &&
+               std::ranges::equal(other.set, run.set,
+                                  [](const auto& a, const auto& b) { return a.path == b.path && a.value == b.value; });
+    };
+    const auto known = std::ranges::find_if(runs, same);
+    const auto index = static_cast<std::size_t>(known - runs.begin());
+    if (known == runs.end()) runs.push_back(std::move(run));
+    return index;
+}
+
+double tolerance_of(const Node& entry, const std::string& path) {
+    const Node* within = design::find(entry, "within");
+    const double value = within == nullptr ? usual_tolerance : quantity_of(*within, path + ".within").SI;
+    if (!(value > 0)) refuse(entry.location, path + ".within", "must be more than 0");
+    return value;
+}
+
+MeasuredCurve curve_of(const Node& entry, const std::string& path, std::vector<Run>& runs) {
+    design::require_known_keys(entry, {"curve", "at", "columns", "from", "to", "within", "weight", "design", "set"},
+                               path);
+    const auto text = [&](const std::string& key) {
+        const Node* node = design::find(entry, key);
+        if (node != nullptr && node->kind != Node::Kind::scalar)
+            refuse(node->location, path + "." + key, "a single value is needed here",
+                   "write for example {curve: measured.csv, at: elongation, from: 10 mm}");
+        return node == nullptr ? std::string{} : node->text;
+    };
+    MeasuredCurve curve{.run = run_of(entry, runs),
+                        .file = text("curve"),
+                        .location = design::find(entry, "curve")->location,
+                        .columns = text("columns"),
+                        .at = text("at"),
+                        .from = text("from"),
+                        .to = text("to"),
+                        .within = tolerance_of(entry, path)};
+    if (const Node* weight = design::find(entry, "weight")) {
+        const double value = quantity_of(*weight, path + ".weight").SI;
+        if (!(value > 0)) refuse(weight->location, path + ".weight", "must be more than 0");
+        curve.within /= std::sqrt(value);
+    }
+    return curve;
+}
+
+/// The member of an entry that is the quantity.
 const Member& subject_of(const Node& entry, const std::string& path) {
     require_map(entry, path, "{elongation: 60 mm, at: {pressure: 20 kPa}}");
     const Member* subject = nullptr;
     for (const Member& one : entry.members) {
-        if (one.key == "at" || one.key == "within") continue;
+        if (one.key == "at" || one.key == "within" || one.key == "design" || one.key == "set") continue;
         if (subject != nullptr)
             refuse(one.location, path, core::quoted(one.key) + " is a second quantity", "write one entry for each");
         subject = &one;
@@ -135,14 +221,8 @@ const Member& subject_of(const Node& entry, const std::string& path) {
 
 Condition target_of(const Node& entry, const std::string& path) {
     const Member& subject = subject_of(entry, path);
-    if (subject.key == "curve")
-        refuse(subject.location, path, "targets that are curves are not available",
-               "give values of the curve: {elongation: 60 mm, at: {pressure: 20 kPa}}");
     Condition condition;
-    condition.within = usual_tolerance;
-    if (const Node* within = design::find(entry, "within"))
-        condition.within = quantity_of(*within, path + ".within").SI;
-    if (!(condition.within > 0)) refuse(entry.location, path + ".within", "must be more than 0");
+    condition.within = tolerance_of(entry, path);
     const Node* value = &subject.value;
     condition.measure.quantity = subject.key;
     if (subject.key == "limit") {
@@ -217,54 +297,75 @@ Goal read_goal(std::string_view text, std::string_view source) {
     design::require_known_keys(root, {"design", "set", "vary", "targets", "minimize", "constraints"}, "");
     Goal goal;
     const Node& design_file = member(root, "design", "design");
-    goal.design_file = design_file.text;
-    goal.location = design_file.location;
-    if (const Node* set = design::find(root, "set"))
-        for (const Member& one : set->members) {
-            if (one.value.kind != Node::Kind::scalar)
-                refuse(one.location, "set." + one.key, "a single value is needed here",
-                       "write for example mesh.size: 2 mm");
-            goal.set.push_back({one.key, one.value.text, one.location});
-        }
+    goal.runs.push_back({design_file.text, design_file.location, changes_of(root)});
     const Node& vary = member(root, "vary", "vary");
     require_map(vary, "vary", "{geometry.wall: {from: 1.5 mm, to: 4 mm}}");
     for (const Member& one : vary.members) goal.variables.push_back(variable_of(one));
+    const auto add = [&goal](const Node& entry, Condition condition) {
+        condition.measure.run = run_of(entry, goal.runs);
+        goal.conditions.push_back(std::move(condition));
+    };
     if (const Node* targets = design::find(root, "targets"))
-        for (const Node& entry : list_of(*targets, "targets")) goal.conditions.push_back(target_of(entry, "targets"));
+        for (const Node& entry : list_of(*targets, "targets")) {
+            if (design::find(entry, "curve") != nullptr)
+                goal.curves.push_back(curve_of(entry, "targets", goal.runs));
+            else
+                add(entry, target_of(entry, "targets"));
+        }
     if (const Node* constraints = design::find(root, "constraints"))
         for (const Node& entry : list_of(*constraints, "constraints")) {
             const Node* stable = design::find(entry, "stable");
             if (stable != nullptr && stable->text == "true")
                 goal.stable = true;
             else
-                goal.conditions.push_back(constraint_of(entry, "constraints"));
+                add(entry, constraint_of(entry, "constraints"));
         }
     if (const Node* minimize = design::find(root, "minimize")) goal.minimize = objective_of(*minimize);
-    if (goal.conditions.empty() && !goal.minimize)
+    if (goal.conditions.empty() && goal.curves.empty() && !goal.minimize)
         refuse(root.location, "targets", "the goal has no targets and minimizes nothing",
                "add targets: [{elongation: 60 mm, at: {pressure: 20 kPa}}]");
+    for (const Member& one : vary.members)
+        if (auto prior = prior_of(one)) goal.conditions.push_back(std::move(*prior));
+    const bool has_data = !goal.curves.empty() || std::ranges::any_of(goal.conditions, &Condition::is_data);
+    if (has_data && goal.minimize)
+        refuse(design::find(root, "minimize")->location, "minimize",
+               "a goal with measured curves or priors minimizes the differences from them", "omit it");
     return goal;
 }
 
-std::vector<double> start_of(Goal& goal, const design::Design& design) {
-    std::vector<std::string> known;
-    for (const model::DesignParameter& parameter : design.parameters) known.push_back(parameter.key);
+std::vector<double> start_of(Goal& goal, std::span<const design::Design> designs) {
     std::vector<double> values;
-    for (Variable& variable : goal.variables) {
+    for (std::size_t i = 0; i < goal.variables.size(); ++i) {
+        Variable& variable = goal.variables[i];
         const std::string location = "vary." + variable.key;
-        const bool is_continuous = std::ranges::find(known, variable.key) != known.end();
-        const bool has = design.values.has(variable.key);
-        variable.is_whole =
-            !is_continuous && has && std::holds_alternative<long>(core::parse_count(design.values.text(variable.key)));
-        if (!has || (!is_continuous && !variable.is_whole))
+        std::vector<std::string> known;
+        const design::Design* first = nullptr;
+        for (std::size_t run = 0; run < designs.size(); ++run) {
+            const design::Design& design = designs[run];
+            for (const model::DesignParameter& parameter : design.parameters) known.push_back(parameter.key);
+            if (!design.values.has(variable.key)) continue;
+            if (first == nullptr) first = &design;
+            goal.runs[run].variables.push_back(i);
+            const bool is_continuous = std::ranges::find(design.parameters, variable.key,
+                                                         &model::DesignParameter::key) != design.parameters.end();
+            variable.is_whole = !is_continuous;
+            if (!is_continuous && !std::holds_alternative<long>(core::parse_count(design.values.text(variable.key))))
+                first = nullptr;
+        }
+        if (first == nullptr)
             throw Error(ExitCode::bad_input, location,
                         "is neither a number of the design that differs from 0 nor a count",
                         core::did_you_mean(variable.key, known));
         const auto is_round = [](double value) { return value == std::round(value); };
         if (variable.is_whole && (!variable.unit.empty() || !is_round(variable.from) || !is_round(variable.to)))
             throw Error(ExitCode::bad_input, location, "is a whole number", "write for example {from: 6, to: 14}");
-        values.push_back(design.values.number(variable.key));
+        values.push_back(first->values.number(variable.key));
     }
+    // A prior belongs to any run whose design has the variable.
+    for (Condition& condition : goal.conditions)
+        if (condition.is_data && condition.measure.kind == Measure::Kind::keys)
+            for (std::size_t run = designs.size(); run-- > 0;)
+                if (designs[run].values.has(condition.measure.terms.front().key)) condition.measure.run = run;
     return values;
 }
 

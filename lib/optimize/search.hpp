@@ -1,9 +1,10 @@
 #pragma once
-/// Searches for the values of a goal's variables: sequential quadratic programming (SLSQP of NLopt; Kraft, ACM Trans. Math. Softw. 20 (1994)
-/// 262) in the continuous variables, from the values of the design and from points of a Latin hypercube; around whole numbers, neighbours
-/// are tried until none is better. A trial whose geometry or path fails ends the search from a point; it continues from the best trial so far
-/// in a box of half the size, which moves along. If no trial meets all conditions, the one with the smallest largest violation is returned.
-/// Variables are divided by their range, conditions by their value: a violation is a relative difference.
+/// Searches for the values of a goal's variables, from the values of the design and from points of a Latin hypercube. Goals without an objective
+/// and without bounds are least squares (Levenberg and Marquardt, by Ceres); others sequential quadratic programming (SLSQP of NLopt; Kraft,
+/// ACM Trans. Math. Softw. 20 (1994) 262). A trial whose geometry or path fails shortens the step, or continues the search from the best
+/// trial of the start in a box of half the size, which moves along. Around whole numbers, neighbours are tried until none is better.
+/// If no trial meets all conditions, the one with the smallest largest violation is returned. Variables are divided by their range, conditions
+/// by Condition::scale_SI.
 /// Tested by optimize/search_test.
 #include <functional>
 
@@ -24,6 +25,14 @@ struct Found {
 using Evaluate = std::function<Trial(const std::vector<double>& values)>;
 /// A trial that is better than all before.
 using Progress = std::function<void(const Found&)>;
+
+/// One of the points from which the search starts.
+struct Starts {
+    int count, index;
+};
+/// The trials of one start only, the same as in search(): for starts that run side by side.
+void run_start(const Goal& goal, const std::vector<double>& first, const Starts& starts, const Evaluate& evaluate,
+               const Progress& progress);
 
 /// `first`: the values of the design. Throws Error (bad_input) if no trial succeeds, with the failure of the first one.
 [[nodiscard]] Found search(const Goal& goal, const std::vector<double>& first, int starts, const Evaluate& evaluate,

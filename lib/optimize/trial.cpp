@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -72,45 +73,76 @@ double slope_of(const model::Step& step, std::size_t index) {
 double slope_ratio(const Solved& solved, std::size_t row, const Quantity& quantity, const Quantity& at) {
     const auto& steps = solved.steps;
     if (quantity.index <= solved.model.outputs.size())
-        return slope_of(steps[row], quantity.index) / slope_of(steps[row], at.index);
+        return slope_of(steps[row], at.index) == 0
+                   ? 0
+                   : slope_of(steps[row], quantity.index) / slope_of(steps[row], at.index);
     const std::size_t before = row > 0 ? row - 1 : 0, after = std::min(row + 1, steps.size() - 1);
     const double turn = (at.column->values[after] - at.column->values[before]) * at.column->SI_per_unit;
     return turn == 0 ? 0 : (steps[after].stretch_p99 - steps[before].stretch_p99) / turn;
 }
 
-/// Value and gradient of a quantity where the path first reaches a value of another one; raises `last_row` to the row there.
-Trial::Value value_on_curve(const Solved& solved, const Measure& measure, std::size_t variables, double& last_row) {
-    const Quantity quantity = quantity_named(solved, measure.quantity, measure.text),
-                   at = quantity_named(solved, measure.at, measure.text);
-    if (at.index > solved.model.outputs.size())
-        throw does_not_fit(measure.text, "`at` needs the load or an output",
-                           "write for example at: {pressure: 20 kPa}");
-    post::Curve curve = solved.curve;
-    const std::size_t shown = curve.index_of(*curve.find(measure.quantity)),
-                      prescribed = curve.index_of(*curve.find(measure.at)), first = curve.columns.size();
-    const std::size_t quantities = solved.model.outputs.size() + 2;  // load, outputs, stretch
-    for (std::size_t k = 0; k < solved.cases.size(); ++k) {
-        post::Column& column = curve.columns.emplace_back();
-        for (std::size_t row = 0; row < solved.steps.size(); ++row) {
-            const double* D = &solved.steps[row].derivatives[k * quantities];
-            column.values.push_back(D[quantity.index] - slope_ratio(solved, row, quantity, at) * D[at.index]);
+/// A quantity along the path of a run, with its derivatives at fixed values of another quantity as further columns.
+class QuantityOnCurve {
+public:
+    QuantityOnCurve(const Solved& solved, const Measure& measure) : solved_(solved), curve_(solved.curve) {
+        const Quantity quantity = quantity_named(solved, measure.quantity, measure.text),
+                       at = quantity_named(solved, measure.at, measure.text);
+        if (at.index > solved.model.outputs.size())
+            throw does_not_fit(measure.text, "`at` needs the load or an output",
+                               "write for example at: {pressure: 20 kPa}");
+        shown_ = curve_.index_of(*curve_.find(measure.quantity));
+        at_ = curve_.index_of(*curve_.find(measure.at));
+        first_derivative_ = curve_.columns.size();
+        const std::size_t quantities = solved.model.outputs.size() + 2;  // load, outputs, stretch
+        for (std::size_t k = 0; k < solved.cases.size(); ++k) {
+            post::Column& column = curve_.columns.emplace_back();
+            for (std::size_t each = 0; each < solved.steps.size(); ++each) {
+                // In a stage that does not change `at`: about the derivative at the start of the stage that does.
+                std::size_t row = each;
+                while (row + 1 < solved.steps.size() && slope_of(solved.steps[row], at.index) == 0) ++row;
+                const double* D = &solved.steps[row].derivatives[k * quantities];
+                column.values.push_back(D[quantity.index] - slope_ratio(solved, row, quantity, at) * D[at.index]);
+            }
         }
+        path_.emplace(curve_);
     }
-    const post::Path path(curve);
-    const double wanted = path.within_reach(prescribed, post::in_column_unit(curve.columns[prescribed], measure.at_SI));
-    const auto crossings = path.crossings(prescribed, wanted);
-    if (crossings.empty()) {
-        const auto [lowest, highest] = path.range(prescribed);
-        throw Error(ExitCode::stopped_early, measure.text,
-                    "the path reaches " + measure.at + " " + post::value_text(curve.columns[prescribed], lowest) +
-                        " to " + post::value_text(curve.columns[prescribed], highest));
+    QuantityOnCurve(const QuantityOnCurve&) = delete;
+    QuantityOnCurve& operator=(const QuantityOnCurve&) = delete;
+
+    /// Value and gradient where the path reaches the condition's value of `at`: first, for data where the value is nearest to the measured one,
+    /// as in post/compare.hpp. Raises `last_row` to the row there.
+    [[nodiscard]] Trial::Value value(const Measure& measure, std::optional<double> measured_SI, std::size_t variables,
+                                     double& last_row) const {
+        const post::Column& at = curve_.columns[at_];
+        const auto crossings = path_->crossings(at_, path_->within_reach(at_, post::in_column_unit(at, measure.at_SI)));
+        if (crossings.empty()) {
+            const auto [lowest, highest] = path_->range(at_);
+            throw Error(ExitCode::stopped_early, measure.text,
+                        "the path reaches " + measure.at + " " + post::value_text(at, lowest) + " to " +
+                            post::value_text(at, highest) + " (" + std::string{model::name(solved_.end.reason)} + ")",
+                        "request a larger load, or start nearer");
+        }
+        std::vector<double> row = path_->at(crossings.front());
+        const double SI_per_unit = curve_.columns[shown_].SI_per_unit;
+        const auto off = [&](const std::vector<double>& at_row) {
+            return std::abs(at_row[shown_] * SI_per_unit - *measured_SI);
+        };
+        if (measured_SI)
+            for (const double s : std::span(crossings).subspan(1))
+                if (std::vector<double> other = path_->at(s); off(other) < off(row)) row = std::move(other);
+        last_row = std::max(last_row, row[curve_.index_of(*curve_.find("step"))]);
+        Trial::Value value{row[shown_] * SI_per_unit, std::vector<double>(variables)};
+        for (std::size_t k = 0; k < solved_.cases.size(); ++k)
+            value.gradient[solved_.variable_of[k]] = row[first_derivative_ + k];
+        return value;
     }
-    const auto row = path.at(crossings.front());
-    last_row = std::max(last_row, row[curve.index_of(*curve.find("step"))]);
-    Trial::Value value{row[shown] * curve.columns[shown].SI_per_unit, std::vector<double>(variables)};
-    for (std::size_t k = 0; k < solved.cases.size(); ++k) value.gradient[solved.variable_of[k]] = row[first + k];
-    return value;
-}
+
+private:
+    const Solved& solved_;
+    post::Curve curve_;
+    std::size_t shown_ = 0, at_ = 0, first_derivative_ = 0;
+    std::optional<post::Path> path_;
+};
 
 /// `enough_SI`: a path without limit point that reaches this load counts as having its limit beyond its largest load.
 Trial::Value limit_of(const Solved& solved, const Measure& measure, double enough_SI, std::size_t variables) {
@@ -157,10 +189,7 @@ Trial::Value sum_of_keys(const design::Design& design, const Goal& goal, const M
 }
 
 /// The path ends where its last value is taken, if all are given at values of one quantity that `path.until` knows.
-std::optional<design::Override> end_of_path(const Goal& goal, const design::Design& design) {
-    std::vector<const Measure*> measures;
-    for (const Condition& condition : goal.conditions) measures.push_back(&condition.measure);
-    if (goal.minimize) measures.push_back(&*goal.minimize);
+std::optional<design::Override> end_of_path(std::span<const Measure* const> measures, const design::Design& design) {
     const Measure* last = nullptr;
     for (const Measure* measure : measures) {
         if (measure->kind == Measure::Kind::limit) return std::nullopt;
@@ -176,11 +205,12 @@ std::optional<design::Override> end_of_path(const Goal& goal, const design::Desi
     return design::Override{"path.until." + last->at, last->at_text, {}};
 }
 
-Solved solve(const Goal& goal, const design::Design& design, const Base& base, const MakeContactCheck& contact_check) {
+Solved solve(const Goal& goal, const Run& run, const design::Design& design, const Base& base,
+             const MakeContactCheck& contact_check) {
     geometry::Built built = geometry::build_with_figures(design);
     std::vector<std::string> keys;
     Solved solved;
-    for (std::size_t i = 0; i < goal.variables.size(); ++i)
+    for (const std::size_t i : run.variables)
         if (!goal.variables[i].is_whole) {
             keys.push_back(goal.variables[i].key);
             solved.variable_of.push_back(i);
@@ -205,44 +235,67 @@ Solved solve(const Goal& goal, const design::Design& design, const Base& base, c
     return solved;
 }
 
-}  // namespace
+/// Adds the values of the measures that belong to one run to the trial.
+void add_run(const Goal& goal, std::size_t index, const Base& base, const std::vector<double>& values,
+             const MakeContactCheck& contact_check, Trial& trial) {
+    const Run& run = goal.runs[index];
+    std::vector<const Measure*> measures;
+    for (const Condition& condition : goal.conditions)
+        if (condition.measure.run == index) measures.push_back(&condition.measure);
+    if (goal.minimize && index == 0) measures.push_back(&*goal.minimize);
+    const bool needs_path = goal.stable && index == 0;
+    if (measures.empty() && !needs_path) return;
 
-Trial evaluate(const Goal& goal, const Base& base, const std::vector<double>& values,
-               const MakeContactCheck& contact_check) {
-    std::vector<design::Override> overrides = goal.set;
-    for (std::size_t i = 0; i < values.size(); ++i)
+    std::vector<design::Override> overrides = run.set;
+    for (const std::size_t i : run.variables)
         overrides.push_back(
             {goal.variables[i].key, goal.variables[i].text_of(values[i]), "vary." + goal.variables[i].key});
+    const auto read = [&] {
+        return design::read_design(base.text, base.source, geometry::catalogue_keys(), overrides);
+    };
+    design::Design design = read();
+    if (const auto end = end_of_path(measures, design)) {
+        overrides.push_back(*end);
+        design = read();
+    }
+    std::optional<Solved> path;
+    if (needs_path) path.emplace(solve(goal, run, design, base, contact_check));
+    std::map<std::pair<std::string, std::string>, QuantityOnCurve> quantities;
+    double last_row = -1;  // at which a value of the curve is taken
+    const auto measured = [&](const Measure& measure, double enough_SI, std::optional<double> measured_SI) {
+        const std::size_t count = goal.variables.size();
+        if (measure.kind == Measure::Kind::keys) return sum_of_keys(design, goal, measure);
+        if (!path) path.emplace(solve(goal, run, design, base, contact_check));
+        if (measure.kind == Measure::Kind::limit) return limit_of(*path, measure, enough_SI, count);
+        if (measure.kind == Measure::Kind::rubber_volume) return volume_of(*path, rubber_volume_m3, count);
+        if (measure.kind == Measure::Kind::cavity_volume) return volume_of(*path, cavity_volume_m3, count);
+        const auto [quantity, is_new] = quantities.try_emplace(std::pair(measure.quantity, measure.at), *path, measure);
+        return quantity->second.value(measure, measured_SI, count, last_row);
+    };
+    constexpr double never = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < goal.conditions.size(); ++i) {
+        const Condition& condition = goal.conditions[i];
+        if (condition.measure.run == index)
+            trial.conditions[i] = measured(
+                condition.measure, condition.relation == Condition::Relation::above ? condition.value_SI : never,
+                condition.is_data ? std::optional(condition.value_SI) : std::nullopt);
+    }
+    if (goal.minimize && index == 0) trial.objective = measured(*goal.minimize, never, std::nullopt);
+    if (!path) return;
+    for (std::size_t row = 0; row < path->steps.size(); ++row)
+        if (last_row < 0 || static_cast<double>(row) < std::ceil(last_row) + 1)
+            trial.is_stable = trial.is_stable && path->steps[row].stable;
+}
+
+}  // namespace
+
+Trial evaluate(const Goal& goal, std::span<const Base> bases, const std::vector<double>& values,
+               const MakeContactCheck& contact_check) {
     Trial trial;
-    const std::size_t count = goal.variables.size();
+    trial.conditions.resize(goal.conditions.size());
     try {
-        const auto read = [&] {
-            return design::read_design(base.text, base.source, geometry::catalogue_keys(), overrides);
-        };
-        design::Design design = read();
-        if (const auto end = end_of_path(goal, design)) {
-            overrides.push_back(*end);
-            design = read();
-        }
-        const Solved solved = solve(goal, design, base, contact_check);
-        constexpr double never = std::numeric_limits<double>::infinity();
-        double last_row = -1;  // at which a value of the curve is taken
-        const auto measured = [&](const Measure& measure, double enough_SI) {
-            switch (measure.kind) {
-                case Measure::Kind::curve: return value_on_curve(solved, measure, count, last_row);
-                case Measure::Kind::limit: return limit_of(solved, measure, enough_SI, count);
-                case Measure::Kind::rubber_volume: return volume_of(solved, rubber_volume_m3, count);
-                case Measure::Kind::cavity_volume: return volume_of(solved, cavity_volume_m3, count);
-                case Measure::Kind::keys: break;
-            }
-            return sum_of_keys(design, goal, measure);
-        };
-        for (const auto& [measure, relation, value_SI, value_text, unit, SI_per_unit, within] : goal.conditions)
-            trial.conditions.push_back(measured(measure, relation == Condition::Relation::above ? value_SI : never));
-        if (goal.minimize) trial.objective = measured(*goal.minimize, never);
-        for (std::size_t row = 0; row < solved.steps.size(); ++row)
-            if (last_row < 0 || static_cast<double>(row) < std::ceil(last_row) + 1)
-                trial.is_stable = trial.is_stable && solved.steps[row].stable;
+        for (std::size_t run = 0; run < goal.runs.size(); ++run)
+            add_run(goal, run, bases[run], values, contact_check, trial);
     } catch (const Error& error) {
         if (error.code() != ExitCode::bad_input && error.code() != ExitCode::stopped_early) throw;
         trial.failure = error.what();

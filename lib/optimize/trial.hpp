@@ -1,10 +1,11 @@
 #pragma once
-/// One trial of a goal: the design with given values of its variables, solved, with all measures and their derivatives by the continuous
+/// One trial of a goal: its designs with given values of the variables, solved, with all measures and their derivatives by the continuous
 /// variables (solver/sensitivities.hpp; volumes: differences of both meshes). A quantity at a value of another one is interpolated along
 /// the path; where all measures of the curve have one value in common, the path ends there. The derivative of stretch_p99, a quantile
 /// over the cells, is that at the row's state, along the path from the neighbouring rows.
 /// Tested by pipeline/inverse.
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,12 +29,12 @@ struct Trial {
 using MakeContactCheck = std::function<solver::ContactCheck(fem::System&)>;
 
 struct Base {
-    std::string text, source;  ///< of the design
+    std::string text, source;  ///< of the design of a run
 };
 
-/// `values`: SI, of the variables. Throws Error (bad_input) for a goal that does not fit the design; a trial whose geometry or path fails
+/// `bases`: one for each run. `values`: SI, of the variables. Throws Error (bad_input) for a goal that does not fit the design; a trial whose geometry or path fails
 /// has a failure instead.
-[[nodiscard]] Trial evaluate(const Goal& goal, const Base& base, const std::vector<double>& values,
+[[nodiscard]] Trial evaluate(const Goal& goal, std::span<const Base> bases, const std::vector<double>& values,
                              const MakeContactCheck& contact_check);
 
 }  // namespace soft::optimize

@@ -59,18 +59,42 @@ TEST(Goal, KeysOfCountsStayWhole) {
     design.parameters = {{"geometry.wall", "mm", 1e-3, 3e-3}};
     design.values.set("geometry.wall", {3e-3, "3 mm", "", true, {3e-3}});
     design.values.set("geometry.convolutions", {10, "10", "", true, {10}});
-    EXPECT_EQ(start_of(goal, design), (std::vector<double>{3e-3, 10}));
+    EXPECT_EQ(start_of(goal, {&design, 1}), (std::vector<double>{3e-3, 10}));
     EXPECT_FALSE(goal.variables[0].is_whole);
     EXPECT_TRUE(goal.variables[1].is_whole);
     EXPECT_EQ(goal.variables[1].text_of(7.2), "7");
     goal.variables[1].to = 13.5;
-    EXPECT_THROW(static_cast<void>(start_of(goal, design)), Error);
+    EXPECT_THROW(static_cast<void>(start_of(goal, {&design, 1})), Error);
     // A pure number that is no count varies continuously, also between whole ends.
     Goal ratio = read_goal("design: a.yaml\nvary: {material.alpha: {from: 1, to: 5}}\nminimize: rubber_volume\n", "g");
     design.parameters.push_back({"material.alpha", "", 1, 2});
     design.values.set("material.alpha", {2, "2", "", true, {2}});
-    static_cast<void>(start_of(ratio, design));
+    static_cast<void>(start_of(ratio, {&design, 1}));
     EXPECT_FALSE(ratio.variables[0].is_whole);
+}
+
+TEST(Goal, HasARunForEachDesignAndSetOfChanges) {
+    const Goal goal = read_goal(
+        "design: a.yaml\nset: {mesh.size: 2 mm}\nvary: {m: {from: 1 kPa, to: 4 kPa, prior: 2 kPa, sd: 100 Pa}}\n"
+        "targets:\n"
+        "  - {curve: one.csv, set: {loads.tip.force: 1 N}}\n"
+        "  - {curve: two.csv, set: {loads.tip.force: 2 N}, at: drop, columns: load=3, from: 1 mm, weight: 4}\n"
+        "  - {drop: 7 mm, at: {load: 1 N}, set: {loads.tip.force: 1 N}}\n"
+        "  - {bend: 7 deg, at: {pressure: 1 kPa}, design: b.yaml}\n",
+        "goal.yaml");
+    ASSERT_EQ(goal.runs.size(), 4u);
+    EXPECT_EQ(goal.runs[2].set.size(), 2u);  // also the mesh
+    EXPECT_EQ(goal.runs[3].design_file, "b.yaml");
+    EXPECT_TRUE(goal.runs[3].set.empty());
+    ASSERT_EQ(goal.curves.size(), 2u);
+    EXPECT_EQ(goal.curves[1].run, 2u);
+    EXPECT_EQ(goal.curves[1].at, "drop");
+    EXPECT_DOUBLE_EQ(goal.curves[1].within, goal.curves[0].within / 2);
+    ASSERT_EQ(goal.conditions.size(), 3u);
+    EXPECT_EQ(goal.conditions[0].measure.run, 1u);
+    EXPECT_EQ(goal.conditions[1].measure.run, 3u);
+    EXPECT_TRUE(goal.conditions[2].is_data);  // the prior
+    EXPECT_DOUBLE_EQ(goal.conditions[2].allowed_SI(), 100);
 }
 
 TEST(Goal, RefusesWithPlaceProblemAndRemedy) {
@@ -85,8 +109,16 @@ TEST(Goal, RefusesWithPlaceProblemAndRemedy) {
     EXPECT_NE(refusal("design: a.yaml\nvary: {a: {from: 1 mm, to: 4 mm}}\ntargets: [{elongation: 60 mm}]\n")
                   .find("the key 'at' is missing"),
               std::string::npos);
-    EXPECT_NE(refusal("design: a.yaml\nvary: {a: {from: 1 mm, to: 4 mm}}\ntargets: [{curve: m.csv}]\n")
-                  .find("targets that are curves are not available"),
+    EXPECT_EQ(
+        refusal(
+            "design: a.yaml\nvary: {a: {from: 1 mm, to: 4 mm, prior: 2 mm}}\ntargets: [{limit: {pressure: 1 kPa}}]\n"),
+        "goal.yaml:2:8: vary.a: `prior` and `sd` belong together; write for example prior: 84 kPa, sd: 5 kPa");
+    EXPECT_EQ(refusal("design: a.yaml\nvary: {a: {from: 1 mm, to: 4 mm}}\ntargets: [{curve: m.csv}]\nminimize: "
+                      "rubber_volume\n"),
+              "goal.yaml:4:11: minimize: a goal with measured curves or priors minimizes the differences from them; "
+              "omit it");
+    EXPECT_NE(refusal("design: a.yaml\nvary: {a: {from: 1 mm, to: 4 mm}}\ntargets: [{curve: m.csv, form: 2 mm}]\n")
+                  .find("did you mean 'from'?"),
               std::string::npos);
     EXPECT_NE(refusal("").find("goal.yaml"), std::string::npos);
 }

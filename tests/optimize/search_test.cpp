@@ -6,17 +6,13 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "samples.hpp"
 
 namespace soft::optimize {
 namespace {
 
-Variable variable(const std::string& key, double from, double to) {
-    Variable one;
-    one.key = key;
-    one.from = from;
-    one.to = to;
-    return one;
-}
+using test::silent;
+using test::variable;
 
 Goal goal_of(std::vector<Variable> variables, std::vector<Condition> conditions, bool minimizes) {
     Goal goal;
@@ -28,13 +24,11 @@ Goal goal_of(std::vector<Variable> variables, std::vector<Condition> conditions,
 Condition condition(Condition::Relation relation, double value, double within = 1e-3) {
     Condition one;
     one.relation = relation;
-    one.value_SI = value;
+    one.value_SI = one.scale_SI = value;
     one.within = within;
     return one;
 }
 constexpr auto equal = Condition::Relation::equal, below = Condition::Relation::below;
-const Progress silent = [](const Found&) {};
-
 /// Smallest x^2 + y^2 with x y = 1 (a hyperbola): x = y = 1.
 Trial hyperbola(const std::vector<double>& v) {
     return {"", {{v[0] * v[1], {v[1], v[0]}}}, {v[0] * v[0] + v[1] * v[1], {2 * v[0], 2 * v[1]}}, true};
