@@ -50,8 +50,8 @@ returns material.mu 60 1e3
 
 # a law with two constants, beyond the limit point of the pressure
 twin tube 1 --set "'material={law: gent, mu: 0.2 MPa, jm: 40, kappa: incompressible}'" --set loads.cavity.pressure=200kPa --set path.stretch_limit=3.5
-printf 'design: designs/tube.yaml\nset: {"material": "{law: gent, mu: 0.16 MPa, jm: 60, kappa: incompressible}", loads.cavity.pressure: 200 kPa, path.stretch_limit: 4.5, path.until.volume_ratio: 8}\n' >head
-fit "$(cat head)
+printf 'design: designs/tube.yaml\nset: {"material": "{law: gent, mu: 0.16 MPa, jm: 60, kappa: incompressible}", loads.cavity.pressure: 200 kPa, path.stretch_limit: 4.5, path.until.volume_ratio: 8}\n' >settings
+fit "$(cat settings)
 vary: {material.mu: {from: 0.05 MPa, to: 0.5 MPa}, material.jm: {from: 20, to: 200}}"
 returns material.mu 0.2 1e6
 returns material.jm 40 1
@@ -73,7 +73,7 @@ runs 'optimize goal.yaml -q -o one.yaml'
 runs 'optimize goal.yaml -q --jobs 2 --folder trials -o two.yaml'
 claim "two jobs find the same" cmp one.yaml two.yaml
 refuses 64 'optimize: trials/trials.jsonl: contains the trials of an earlier search; continue it with --resume*' 'optimize goal.yaml -q --folder trials'
-head -c -20 trials/trials.jsonl >cut && mv cut trials/trials.jsonl
+head -c -20 trials/trials.jsonl >shorter && mv shorter trials/trials.jsonl
 runs 'optimize goal.yaml -q --folder trials --resume -o three.yaml'
 claim "a continued search finds the same" cmp one.yaml three.yaml
 sed -i 's/4 mm/5 mm/' goal.yaml
