@@ -12,6 +12,7 @@
 #include "post/request.hpp"
 #include "post/sensitivity.hpp"
 #include "postprocess_checks.hpp"
+#include "postprocess_errors.hpp"
 #include "postprocess_options.hpp"
 #include "postprocess_plot.hpp"
 #include "postprocess_summary.hpp"
@@ -60,11 +61,11 @@ ExitCode postprocess(const PostprocessOptions& options) {
     if (options.sensitivity && result.model.parameters.empty())
         throw Error(ExitCode::usage, "--sensitivity", "the result has no sensitivities",
                     "generate its case with mesh-gen --sensitivity KEY[,KEY...], and solve it");
-    if (!options.tolerances.empty()) {
-        const auto [key, share] =
-            post::add_tolerance_band(curve, result.model, post::parse_tolerances(options.tolerances, result.model));
-        console.say("tolerances: at the last row " + key + " causes " + core::rounded_text(100 * share, 3) +
-                    " % of the squares");
+    if (!options.tolerances.empty() || !options.errors.empty()) {
+        post::Deviations deviations = post::parse_tolerances(options.tolerances, result.model);
+        if (!options.errors.empty()) deviations.add(fitted_deviations(options.errors, result.model));
+        const std::string key = post::add_tolerance_band(curve, result.model, deviations);
+        console.say("tolerances: at the last row " + key + " contributes most");
     }
     post::show_also(curve, options.also);
     const post::Curve table = options.at.empty() ? curve : rows_at(curve, options.at);
@@ -78,7 +79,6 @@ ExitCode postprocess(const PostprocessOptions& options) {
                           : options.sensitivity ? post::sensitivity_csv(table, result.model, limit_rows(result))
                                                 : post::csv_text(table, lines));
     std::vector<post::PlotSeries> series = plot_series(options.plot, result, curve);
-    if (!options.tolerances.empty()) series.front().band = post::tolerance_band(curve);
     if (options.sensitivity && !options.plot.file.empty())
         post::run_gnuplot(post::sensitivity_script(table, result.model, post::picture_format(options.plot.file)),
                           options.plot.file);

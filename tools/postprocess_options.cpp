@@ -23,10 +23,6 @@ void add_plot_options(CLI::App& app, PlotOptions& plot) {
         ->type_name("QUANTITY");
     repeatable(app.add_option("--with", plot.with, "Another result in the same plot, also for --report (repeatable)"))
         ->type_name("FILE[:LABEL]");
-    app.add_option("--band", plot.band,
-                   "Uncertainty band in the plot: a table written by scripts/uncertainty; the result must have the "
-                   "material of the fit")
-        ->type_name("FILE.csv");
 }
 
 void add_compare_options(CLI::App& app, CompareOptions& compare) {
@@ -91,15 +87,14 @@ void check_combinations(const CLI::App& app) {
         if (app.count(option) > 0)
             throw Error(ExitCode::usage, option, "has no effect without " + core::join(names, " or "));
     };
-    for (const char* option : {"--with", "--x", "--y", "--colour", "--band"}) needs(option, {"--plot", "--report"});
+    for (const char* option : {"--with", "--x", "--y", "--colour"}) needs(option, {"--plot", "--report"});
     for (const char* option : {"--columns", "--max-error"}) needs(option, {"--compare"});
     for (const char* option : {"--rtol", "--atol"}) needs(option, {"--check"});
     needs("--junit", {"--check", "--max-error"});
-    if (app.count("--sensitivity") > 0 && app.count("--tolerances") > 0)
-        throw Error(ExitCode::usage, "--tolerances", "has no effect with --sensitivity", "omit one of them");
-    if (app.count("--band") > 0 && app.count("--tolerances") > 0)
-        throw Error(ExitCode::usage, "--tolerances", "a plot has one band", "omit --band or --tolerances");
-    for (const char* option : {"--at", "--comments", "--sensitivity", "--tolerances"})
+    for (const char* option : {"--tolerances", "--errors"})
+        if (app.count("--sensitivity") > 0 && app.count(option) > 0)
+            throw Error(ExitCode::usage, option, "has no effect with --sensitivity", "omit one of them");
+    for (const char* option : {"--at", "--comments", "--sensitivity", "--tolerances", "--errors"})
         if (app.count(option) > 0 && app.count("--compare") > 0)
             throw Error(ExitCode::usage, option,
                         "has no effect with --compare, which writes errors instead of the table", "omit one of them");
@@ -110,7 +105,7 @@ void check_files(const PostprocessOptions& options) {
     std::vector<cli::NamedFile> inputs = {{"RESULT", options.input},
                                           {"--compare", options.compare.file},
                                           {"--check", options.check.file},
-                                          {"--band", options.plot.band}};
+                                          {"--errors", options.errors}};
     for (const std::string& other : options.plot.with) inputs.push_back({"--with", other.substr(0, other.rfind(':'))});
     cli::CommonOptions written = options.common;
     if (!options.wants_table) written.output.clear();
@@ -167,6 +162,11 @@ std::optional<PostprocessOptions> parse_postprocess_options(int argc, char** arg
         ->allow_extra_args(false)
         ->take_all()
         ->type_name("KEY=VALUE[,KEY=VALUE...]");
+    app.add_option(
+           "--errors", options.errors,
+           "Add the band that the errors of fitted constants cause, with their correlations: the --json file of "
+           "fit-material or optimize")
+        ->type_name("FIT.json");
     app.add_flag("--outputs", options.lists_outputs,
                  "List the columns of RESULT (-: stdin), or without RESULT all possible columns: name, unit, meaning");
     app.add_flag("--comments", options.comments,

@@ -14,7 +14,6 @@ struct PlotOptions {
     std::string x, y;               ///< quantities; empty: chosen for the case
     std::string colour;             ///< quantity; empty: none
     std::vector<std::string> with;  ///< FILE or FILE:LABEL of other results
-    std::string band;               ///< table of scripts/uncertainty (CSV); empty: none
 };
 
 struct CompareOptions {
@@ -39,6 +38,7 @@ struct PostprocessOptions {
     std::vector<std::string> also;        ///< additional columns
     bool sensitivity = false;             ///< the table is that of the sensitivities
     std::vector<std::string> tolerances;  ///< KEY=VALUE
+    std::string errors;                   ///< --json file of fit-material or optimize; empty: none
     bool wants_table = true;              ///< false: another output was requested, without -o
     PlotOptions plot;
     CompareOptions compare;

@@ -5,7 +5,6 @@
 
 #include "cli.hpp"
 #include "geometry/build.hpp"
-#include "post/band.hpp"
 
 namespace soft {
 namespace {
@@ -30,7 +29,6 @@ post::PlotSeries read_other(const std::string& text) {
 std::vector<post::PlotSeries> plot_series(const PlotOptions& options, const io::Result& result,
                                           const post::Curve& curve) {
     std::vector<post::PlotSeries> series = {{result.model.name, curve, result.end.value_or(model::PathEnd{})}};
-    if (!options.band.empty()) series.front().band = post::read_band(read_csv(options.band), curve);
     for (const std::string& other : options.with) {
         series.push_back(read_other(other));
         const auto same = [&](const post::PlotSeries& one) { return one.label == series.back().label; };

@@ -123,7 +123,7 @@ std::string heading(const Curve& curve, const PlotAxes& axes, const PlotRequest&
 
 /// Elements that the legend explains once for all paths.
 struct LegendEntries {
-    bool unstable = false, band = false, constants = false, limits = false, bifurcations = false;
+    bool unstable = false, band = false, tolerances = false, limits = false, bifurcations = false;
 };
 
 void add_path(Script& script, const Blocks& blocks, const PlotAxes& axes, std::size_t index, double point_size,
@@ -136,9 +136,7 @@ void add_path(Script& script, const Blocks& blocks, const PlotAxes& axes, std::s
     script.add("stable" + n, blocks.stable, stroke + " notitle");
     script.add("unstable" + n, blocks.unstable, stroke + " dashtype (8,6) notitle");
     script.add("bars" + n, blocks.bars, "with xyerrorbars linewidth 1 pointtype 0" + colour + " notitle");
-    script.add("constants" + n, blocks.constants, std::string{filled} + " linecolor rgb '#E69F00' notitle");
-    script.add("constants_bars" + n, blocks.constants_bars,
-               "with xyerrorbars linewidth 2 pointtype 0 linecolor rgb '#E69F00' notitle");
+    script.add("tolerances" + n, blocks.tolerances, std::string{filled} + " linecolor rgb '#E69F00' notitle");
     script.add("markers" + n, blocks.markers,
                "with points " + script.points(style.point, point_size) + colour + " notitle");
     script.add("limits" + n, blocks.limits,
@@ -147,7 +145,7 @@ void add_path(Script& script, const Blocks& blocks, const PlotAxes& axes, std::s
                "with points " + script.points(5, 1.8) + " linecolor rgb '#b05a00' notitle");
     legend.unstable |= !blocks.unstable.empty();
     legend.band |= !blocks.band.empty();
-    legend.constants |= !blocks.constants_bars.empty();
+    legend.tolerances |= !blocks.tolerances.empty();
     legend.limits |= !blocks.limits.empty();
     legend.bifurcations |= !blocks.bifurcations.empty();
 }
@@ -166,8 +164,7 @@ void add_legend(Script& script, std::span<const PlotSeries> series, const PlotAx
         for (std::size_t i = 0; i < series.size(); ++i) script.legend(shown + sign(i), gnuplot_text(series[i].label));
     if (legend.unstable) script.legend("with lines linewidth 2 dashtype (8,6) linecolor rgb '#404040'", "'unstable'");
     if (legend.band) script.legend(filled + std::string{" linecolor rgb '#0072B2'"}, "'mesh error'");
-    if (legend.constants)
-        script.legend(filled + std::string{" linecolor rgb '#E69F00'"}, gnuplot_text(series[0].band->meaning));
+    if (legend.tolerances) script.legend(filled + std::string{" linecolor rgb '#E69F00'"}, "'tolerances'");
     if (legend.limits)
         script.legend("with points " + script.points(9, 2.2) + " linecolor rgb '#b00000'", "'limit point'");
     if (legend.bifurcations)

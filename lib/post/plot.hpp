@@ -1,7 +1,7 @@
 #pragma once
 /// Picture of one or more paths: any column of the curve over any other. Each path is drawn as the smooth curve of post::Path, with the
 /// unstable part dashed, converged steps as markers, limit points as filled triangles and bifurcations as filled squares with their
-/// value (plot_labels.hpp), errors of the mesh (`solve --tolerance`) and of the constants as bands with bars, and measured points as
+/// value (plot_labels.hpp), errors of the mesh (`solve --tolerance`) as a band with bars, tolerances (sensitivity.hpp) as a band, and measured points as
 /// crosses. Paths have different markers, so colour carries no information unless a third quantity is requested. The colours are those
 /// of Okabe and Ito (2008), which are safe for colour-blind readers.
 /// Tested by post/plot_test.
@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "model/path.hpp"
-#include "post/band.hpp"
 #include "post/curve.hpp"
 #include "post/gnuplot.hpp"
 #include "post/measured.hpp"
@@ -28,8 +27,7 @@ struct PlotRequest {
 struct PlotSeries {
     std::string label;  ///< in the legend, if there are several paths
     Curve curve;
-    model::PathEnd end;             ///< its limit points and bifurcations are drawn
-    std::optional<Band> band = {};  ///< uncertainty due to the constants, drawn if its table contains both axes
+    model::PathEnd end;  ///< its limit points and bifurcations are drawn
 };
 
 /// Columns of the curve.

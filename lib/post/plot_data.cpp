@@ -11,8 +11,7 @@
 namespace soft::post {
 namespace {
 
-constexpr int samples_per_band_piece = 64;  // a piece may span many rows of the path
-constexpr int samples_per_interval = 16;    // smooth enough: a cubic spans at most a twentieth of the picture
+constexpr int samples_per_interval = 16;  // smooth enough: a cubic spans at most a twentieth of the picture
 
 std::string line(std::initializer_list<double> numbers) {
     std::string text;
@@ -57,107 +56,42 @@ void sample_line(const PlotSeries& series, const Path& path, const PlotAxes& axe
 /// The column with the half width of the error; nullptr if there is none.
 const Column* error_of(const Curve& curve, const Column& column) { return curve.find(column.quantity + "_error"); }
 
-/// Closed outline: the path shifted by +error, then in reverse order by -error; along the ordinate if its error is known, else along the
+/// The columns with the half widths of a band along the axes; nullptr: none.
+struct HalfWidths {
+    const Column *x = nullptr, *y = nullptr;
+};
+
+/// The band of tolerances has a width of the load at a fixed first output.
+HalfWidths tolerances_of(const Curve& curve, const PlotAxes& axes) {
+    const Column *load = curve.find(Source::load), *output = curve.find(Source::output);
+    if (load == nullptr || output == nullptr) return {};
+    const Column* half = curve.find("band_rss_" + load->quantity);
+    const std::size_t by = curve.index_of(*load), over = curve.index_of(*output);
+    if (axes.x == over && axes.y == by) return {nullptr, half};
+    if (axes.x == by && axes.y == over) return {half, nullptr};
+    return {};
+}
+
+/// Closed outline: the path shifted by +half, then in reverse order by -half; along the ordinate if it has a width, else along the
 /// abscissa.
-std::string band_outline(const Curve& curve, const Path& path, const PlotAxes& axes,
+std::string band_outline(const Curve& curve, const Path& path, const PlotAxes& axes, const HalfWidths& widths,
                          std::vector<std::array<double, 2>>& edges) {
-    const Column* up = error_of(curve, curve.columns[axes.y]);
-    const Column* across = error_of(curve, curve.columns[axes.x]);
-    if (up == nullptr && across == nullptr) return {};
-    const std::size_t error = curve.index_of(up != nullptr ? *up : *across);
+    if (widths.x == nullptr && widths.y == nullptr) return {};
+    const bool is_up = widths.y != nullptr;
+    const std::size_t column = curve.index_of(is_up ? *widths.y : *widths.x);
     const auto s = path.row_parameters();
     std::string there;
     std::vector<std::string> back;
     for (std::size_t i = 0; i + 1 < s.size(); ++i)
         for (int k = i == 0 ? 0 : 1; k <= samples_per_interval; ++k) {
             const std::vector<double> row = path.at(s[i] + (s[i + 1] - s[i]) * k / samples_per_interval);
-            const double half = row[error], dx = up != nullptr ? 0 : half, dy = up != nullptr ? half : 0;
+            const double half = row[column], dx = is_up ? 0 : half, dy = is_up ? half : 0;
             there += line({row[axes.x] + dx, row[axes.y] + dy});
             back.push_back(line({row[axes.x] - dx, row[axes.y] - dy}));
             for (const double way : {1.0, -1.0}) edges.push_back({row[axes.x] + way * dx, row[axes.y] + way * dy});
         }
     for (auto point = back.rbegin(); point != back.rend(); ++point) there += *point;
     return there;
-}
-
-/// A row of the band's table in the plane of the axes. The bar is drawn along the axis whose other quantity is prescribed, or along both
-/// if neither is.
-struct BandPoint {
-    double x, y, dx, dy;
-    std::optional<double> s;  ///< path parameter of the nearest crossing with the prescribed value
-};
-
-std::optional<double> nearest_crossing(const Path& path, std::size_t fixed, double value, std::size_t other,
-                                       double other_value) {
-    std::optional<double> nearest;
-    double least = 0;
-    for (const double s : path.crossings(fixed, path.within_reach(fixed, value))) {
-        const double distance = std::abs(path.at(s)[other] - other_value);
-        if (!nearest || distance < least) nearest = s, least = distance;
-    }
-    return nearest;
-}
-
-std::vector<BandPoint> band_points(const Band& band, const Path& path, const PlotAxes& axes) {
-    const Band::Width* x = band.find(axes.x);
-    const Band::Width* y = band.find(axes.y);
-    std::vector<BandPoint> points;
-    for (std::size_t row = 0; x != nullptr && y != nullptr && row < x->values.size(); ++row) {
-        const double dx = x->half(row), dy = y->half(row);
-        BandPoint point{x->values[row], y->values[row], std::isnan(dx) ? 0 : dx, std::isnan(dy) ? 0 : dy, {}};
-        if (std::isnan(dx) && point.dy > 0) point.s = nearest_crossing(path, axes.x, point.x, axes.y, point.y);
-        if (std::isnan(dy) && point.dx > 0) point.s = nearest_crossing(path, axes.y, point.y, axes.x, point.x);
-        if (point.dx > 0 || point.dy > 0) points.push_back(point);
-    }
-    std::ranges::stable_sort(points, {}, [](const BandPoint& point) { return point.s.value_or(0); });
-    return points;
-}
-
-/// Closed outline of the band between two rows of its table; the width is linear in the path parameter.
-std::string band_piece(const Path& path, const PlotAxes& axes, const BandPoint& from, const BandPoint& to,
-                       std::vector<std::array<double, 2>>& edges) {
-    std::string there;
-    std::vector<std::string> back;
-    for (int k = 0; k <= samples_per_band_piece; ++k) {
-        const double t = static_cast<double>(k) / samples_per_band_piece;
-        const std::vector<double> row = path.at(*from.s + t * (*to.s - *from.s));
-        const double dx = from.dx + t * (to.dx - from.dx), dy = from.dy + t * (to.dy - from.dy);
-        there += line({row[axes.x] + dx, row[axes.y] + dy});
-        back.push_back(line({row[axes.x] - dx, row[axes.y] - dy}));
-        for (const double way : {1.0, -1.0}) edges.push_back({row[axes.x] + way * dx, row[axes.y] + way * dy});
-    }
-    for (auto point = back.rbegin(); point != back.rend(); ++point) there += *point;
-    return there;
-}
-
-/// Throws Error(bad_input) for a point far from the curve: the table belongs to another material or case.
-void check_band_point(const BandPoint& point, const Curve& curve, const Path& path, const PlotAxes& axes) {
-    constexpr double max_distance =
-        0.05;  // of the largest value of an axis: above the errors of meshes and interpolation
-    if (!point.s) return;
-    const std::vector<double> state = path.at(*point.s);
-    for (const auto& [axis, value] : {std::pair{axes.x, point.x}, {axes.y, point.y}}) {
-        const Column& column = curve.columns[axis];
-        if (std::abs(state[axis] - value) <=
-            max_distance * std::abs(std::ranges::max(column.values, {}, [](double v) { return std::abs(v); })))
-            continue;
-        throw Error(ExitCode::bad_input, "--band",
-                    "the table has " + column.quantity + " " + value_text(column, value) + " where the curve has " +
-                        value_text(column, state[axis]),
-                    "give the table of a result with the material of the fit");
-    }
-}
-
-void add_constants(const Band& band, const Curve& curve, const Path& path, const PlotAxes& axes, Blocks& blocks) {
-    const std::vector<BandPoint> points = band_points(band, path, axes);
-    for (const BandPoint& point : points) check_band_point(point, curve, path, axes);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const BandPoint& p = points[i];
-        blocks.constants_bars += line({p.x, p.y, p.x - p.dx, p.x + p.dx, p.y - p.dy, p.y + p.dy});
-        if (i == 0 || !points[i - 1].s || !p.s || (points[i - 1].dx > 0) != (p.dx > 0)) continue;
-        if (!blocks.constants.empty()) blocks.constants += "\n";
-        blocks.constants += band_piece(path, axes, points[i - 1], p, blocks.edges);
-    }
 }
 
 void add_markers(const Curve& curve, const PlotAxes& axes, std::size_t max_markers, Blocks& blocks) {
@@ -195,8 +129,8 @@ Blocks make_blocks(const PlotSeries& series, const PlotAxes& axes, std::size_t m
     const Column& y = curve.columns[axes.y];
     const Path path(curve);
     sample_line(series, path, axes, blocks);
-    blocks.band = band_outline(curve, path, axes, blocks.edges);
-    if (series.band) add_constants(*series.band, curve, path, axes, blocks);
+    blocks.band = band_outline(curve, path, axes, {error_of(curve, x), error_of(curve, y)}, blocks.edges);
+    blocks.tolerances = band_outline(curve, path, axes, tolerances_of(curve, axes), blocks.edges);
     add_markers(curve, axes, max_markers, blocks);
     for (const model::LimitPoint& limit : series.end.limit_points)
         add_labelled(x, y, limit, blocks.limits, blocks.labels);

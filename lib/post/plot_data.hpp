@@ -16,8 +16,7 @@ struct Blocks {
     std::vector<std::array<double, 2>> edges;   ///< points of the bands
     std::string markers;                        ///< converged steps
     std::string band;                           ///< closed outline of the mesh error
-    std::string constants;                      ///< band of the constants, outlines separated by an empty line
-    std::string constants_bars;                 ///< "x y xlow xhigh ylow yhigh" at the rows of the table of this band
+    std::string tolerances;                     ///< closed outline of the band of tolerances
     std::string bars;                           ///< "x y xlow xhigh ylow yhigh" at the markers
     std::string limits, bifurcations;           ///< "x y label"
     std::vector<PlotLabel> labels;              ///< labels of limit points and bifurcations

@@ -75,8 +75,19 @@ std::string sensitivity_script(const Curve& table, const model::Case& model, Pic
            bar + "\n";
 }
 
-std::vector<MakingTolerance> parse_tolerances(std::span<const std::string> texts, const model::Case& model) {
-    std::vector<MakingTolerance> tolerances;
+void Deviations::add(const Deviations& others) {
+    const std::size_t own = parameters.size(), more = others.parameters.size(), size = own + more;
+    std::vector<double> all(size * size);
+    for (std::size_t i = 0; i < own; ++i)
+        for (std::size_t j = 0; j < own; ++j) all[i * size + j] = covariance[i * own + j];
+    for (std::size_t i = 0; i < more; ++i)
+        for (std::size_t j = 0; j < more; ++j) all[(own + i) * size + own + j] = others.covariance[i * more + j];
+    parameters.insert(parameters.end(), others.parameters.begin(), others.parameters.end());
+    covariance = std::move(all);
+}
+
+Deviations parse_tolerances(std::span<const std::string> texts, const model::Case& model) {
+    Deviations tolerances;
     for (const std::string& text : texts) {
         const std::string option = "--tolerances " + text;
         const std::size_t equals = text.find('=');
@@ -96,35 +107,38 @@ std::vector<MakingTolerance> parse_tolerances(std::span<const std::string> texts
                                    : core::dimension_of(found->unit).value_or(core::Dimension::ratio);
         const double value = core::quantity_or_throw(given, dimension, ExitCode::usage, option);
         if (!(value >= 0)) throw Error(ExitCode::usage, option, "a tolerance is not negative");
-        tolerances.push_back({static_cast<std::size_t>(found - model.parameters.begin()),
-                              is_share ? value * std::abs(found->value) : value});
+        const double size_SI = is_share ? value * std::abs(found->value) : value;
+        tolerances.add({{static_cast<std::size_t>(found - model.parameters.begin())}, {size_SI * size_SI}});
     }
     return tolerances;
 }
 
-Dominant add_tolerance_band(Curve& curve, const model::Case& model, std::span<const MakingTolerance> tolerances) {
-    const Column load = load_of(curve);
-    std::vector<double> squares(curve.row_count()), sums(curve.row_count());
-    Dominant dominant{"", 0};
-    double largest = 0;
-    for (const MakingTolerance& tolerance : tolerances) {
-        const model::DesignParameter& parameter = model.parameters[tolerance.parameter];
-        const Column& derivative = derivative_of(curve, parameter);
-        for (std::size_t row = 0; row < curve.row_count(); ++row) {
-            const double change = std::abs(derivative.values[row]) * tolerance.value_SI / parameter.SI_per_unit;
-            squares[row] += change * change;
-            sums[row] += change;
-            if (row + 1 == curve.row_count() && change >= largest) {
-                largest = change;
-                dominant.key = parameter.key;
+std::string add_tolerance_band(Curve& curve, const model::Case& model, const Deviations& deviations) {
+    const Column load = load_of(curve), output = *curve.find(Source::output), stiffness = *curve.find("stiffness");
+    const std::size_t rows = curve.row_count(), count = deviations.parameters.size();
+    std::vector<double> root(rows), sum(rows), of_output(rows);
+    std::string dominant;
+    for (std::size_t row = 0; row < rows; ++row) {
+        std::vector<double> by;  // SI
+        for (const std::size_t k : deviations.parameters)
+            by.push_back(derivative_of(curve, model.parameters[k]).values[row] / model.parameters[k].SI_per_unit);
+        double square = 0, largest = -1;
+        for (std::size_t i = 0; i < count; ++i) {
+            const double own = std::abs(by[i]) * std::sqrt(deviations.covariance[i * count + i]);
+            sum[row] += own;
+            for (std::size_t j = 0; j < count; ++j) square += by[i] * by[j] * deviations.covariance[i * count + j];
+            if (own > largest) {
+                largest = own;
+                dominant = model.parameters[deviations.parameters[i]].key;
             }
         }
+        root[row] = std::sqrt(std::max(0.0, square));
+        of_output[row] = root[row] / std::abs(stiffness.values[row]);
     }
-    if (!squares.empty() && squares.back() > 0) dominant.share = largest * largest / squares.back();
-    const auto add = [&](const char* kind, std::vector<double> values, const char* meaning) {
-        Column column = load;
-        column.name = kind + load.name;
-        column.quantity = kind + load.quantity;
+    const auto add = [&](const char* kind, const Column& of, std::vector<double> values, const char* meaning) {
+        Column column = of;
+        column.name = kind + of.name;
+        column.quantity = kind + of.quantity;
         column.meaning = meaning;
         column.role = Role::dependent;
         column.source = Source::other;
@@ -132,19 +146,11 @@ Dominant add_tolerance_band(Curve& curve, const model::Case& model, std::span<co
         column.slopes.clear();
         curve.columns.push_back(std::move(column));
     };
-    for (double& square : squares) square = std::sqrt(square);
-    add(rss, std::move(squares), "half width of the band of the tolerances: root of the sum of squares");
-    add(worst, std::move(sums), "half width of the band of the tolerances: sum");
+    add(rss, load, std::move(root),
+        "half width of the band of the tolerances at a fixed output: root of the sum of squares");
+    add(worst, load, std::move(sum), "half width of the band of the tolerances at a fixed output: sum");
+    add(rss, output, std::move(of_output), "half width of the band of the tolerances at a fixed load");
     return dominant;
-}
-
-Band tolerance_band(const Curve& curve) {
-    const Column *load = curve.find(Source::load), *output = curve.find(Source::output);
-    const std::vector<double> none(curve.row_count(), std::numeric_limits<double>::quiet_NaN());
-    return {{{curve.index_of(*load), load->values, curve.find(rss + load->quantity)->values, none},
-             {curve.index_of(*output), output->values, none, none}},
-            "tolerances",
-            {}};
 }
 
 }  // namespace soft::post

@@ -3,14 +3,14 @@
 /// Columns on demand of the curve: `stiffness`, the slope of the leading load over the first output along the path, and
 /// `<load>_by_<key>`, the derivative A of the leading load by the number at a fixed first output. The derivative of the output at a fixed
 /// load is -A / stiffness. Both columns are smooth across limit points, where A is the derivative of the limit load.
-/// Band of tolerances t_k of independent numbers, as half widths of the load at a fixed first output:
-///   root of squares  sqrt(sum (A_k t_k)^2),      worst case  sum |A_k| t_k
-/// Tested by post/sensitivity_test and pipeline/sensitivities.
+/// Band of deviations of the numbers with the covariance C, as half widths of the load at a fixed first output:
+///   root of squares  sqrt(sum_kl A_k A_l C_kl),      worst case  sum |A_k| sqrt(C_kk)
+/// and of that output at a fixed load, the first over the stiffness. Tolerances are independent: C_kk = t_k^2.
+/// Tested by post/sensitivity_test, pipeline/sensitivities and pipeline/fit_errors.
 #include <span>
 #include <string>
 #include <vector>
 
-#include "post/band.hpp"
 #include "post/curve.hpp"
 #include "post/gnuplot.hpp"
 
@@ -27,24 +27,18 @@ namespace soft::post {
 /// for a row without load.
 [[nodiscard]] std::string sensitivity_script(const Curve& table, const model::Case& model, PictureFormat format);
 
-/// How far a number of the made part may be from that of the design.
-struct MakingTolerance {
-    std::size_t parameter;  ///< index in Case::parameters
-    double value_SI;
+/// Deviations of numbers of the made part from those of the design.
+struct Deviations {
+    std::vector<std::size_t> parameters;  ///< indices in Case::parameters
+    std::vector<double> covariance;       ///< by rows, SI
+
+    /// Adds others, which are independent of these.
+    void add(const Deviations& others);
 };
 /// "geometry.wall=0.1mm", "material.mu=5%" (of the value). Throws Error (usage) for a number without sensitivity.
-[[nodiscard]] std::vector<MakingTolerance> parse_tolerances(std::span<const std::string> texts,
-                                                            const model::Case& model);
+[[nodiscard]] Deviations parse_tolerances(std::span<const std::string> texts, const model::Case& model);
 
-/// Adds the columns band_rss_<load> and band_worst_<load>. Returns the name of the number with the largest share at the last row, and its
-/// share of the squares.
-struct Dominant {
-    std::string key;
-    double share;
-};
-Dominant add_tolerance_band(Curve& curve, const model::Case& model, std::span<const MakingTolerance> tolerances);
-
-/// The root of squares as the band of a plot.
-[[nodiscard]] Band tolerance_band(const Curve& curve);
+/// Adds the columns band_rss_<load>, band_worst_<load> and band_rss_<first output>. Returns the number that contributes most at the last row.
+std::string add_tolerance_band(Curve& curve, const model::Case& model, const Deviations& deviations);
 
 }  // namespace soft::post

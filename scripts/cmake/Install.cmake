@@ -32,15 +32,15 @@ install(CODE [[
     print(fish/vendor_completions.d/${tool}.fish "${bin}/${tool}" --completion fish)
   endforeach()
   set(executable FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
-  foreach(script sweep sweep-design sweep.smk uncertainty workspace shared.py)
+  foreach(script sweep sweep-design sweep.smk workspace shared.py)
     file(READ "${scripts}/${script}" text)
-    string(REGEX REPLACE "scripts/(sweep|uncertainty|workspace|{NAME})([^-.a-z])" "soft-\\1\\2" text "${text}")
+    string(REGEX REPLACE "scripts/(sweep|workspace|{NAME})([^-.a-z])" "soft-\\1\\2" text "${text}")
     file(WRITE "${prefix}/libexec/soft-actuator/${script}" "${text}")
     if(NOT script MATCHES "[.]")   # the others are read by a program
       file(CHMOD "${prefix}/libexec/soft-actuator/${script}" ${executable})
     endif()
   endforeach()
-  foreach(script sweep uncertainty workspace)
+  foreach(script sweep workspace)
     file(WRITE "${prefix}/bin/soft-${script}" "#!/bin/sh\nbin=$(dirname \"$(realpath \"$0\")\")\n"
          "PATH=$bin:$PATH exec \"$bin/../libexec/soft-actuator/${script}\" \"$@\"\n")
     file(CHMOD "${prefix}/bin/soft-${script}" ${executable})

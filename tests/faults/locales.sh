@@ -44,12 +44,8 @@ both() {   # both NAME COMMAND
     claim "$1 gives the same output in both folders" cmp plain/said "$far/said"
     claim "$1 prints something" [ "$(wc -c <plain/said)" -gt 20 ]
 }
-coarse="--set loads.end.pressure=-0.6MPa --set mesh.size=20mm --set path.until.elongation=50mm"
 both workspace "'$scripts/workspace' designs/segment.yaml --pressures chamber_1=4kPa,chamber_2=6kPa --steps 1 --set geometry.chambers=2 --set 'mesh={size: 12 mm, through_wall: 1}' --set geometry.length=24mm"
 both mesh-study "'$scripts/mesh-study' \"\$PWD/designs/tube.yaml\" --along elongation --set path.until.elongation=2mm mesh.size=8mm mesh.size=6mm"
-runs 'fit-material -q test.csv --law yeoh --json plain/fit.json -o x'
-cp plain/fit.json "$far/fit.json"
-both uncertainty "'$scripts/uncertainty' designs/rod.yaml fit.json --at elongation=20mm,50mm $coarse"
 if [ -n "$(type -P parallel)" ]; then
     for folder in plain "$far"; do
         printf '%s\n' 'design: designs/rod.yaml' 'vary:' '  geometry.width: [8.5 mm, 12 mm]' \

@@ -21,7 +21,7 @@ tour 'sweep-plan designs/sweeps/rod.yaml -o plan.csv'
 refuses 66 '*designs/none.yaml*' "PATH='$moved/bin'; mesh-gen designs/none.yaml"
 
 # The scripts
-for script in sweep uncertainty workspace; do
+for script in sweep workspace; do
     runs "'$moved/bin/soft-$script' --help"
     claim "the help names the installed command" grep -q "soft-$script " "$seen/out"
     claim "and not the script of the source tree" not grep -q "scripts/$script " "$seen/out"

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "path_samples.hpp"
+#include "post/plot.hpp"
 
 namespace soft::post {
 namespace {
@@ -60,13 +61,47 @@ TEST(Sensitivity, BandOfTolerancesAddsSquaresOrSizes) {
     }
     Curve curve = make_curve(spring.model, spring.steps);
     const std::vector<std::string> texts{"geometry.wall=0.1mm", "material.mu=4%"};
-    const auto [key, share] = add_tolerance_band(curve, spring.model, parse_tolerances(texts, spring.model));
+    EXPECT_EQ(add_tolerance_band(curve, spring.model, parse_tolerances(texts, spring.model)), "material.mu");
     // last row: 240 kPa; wall 80 kPa/mm x 0.1 mm = 8 kPa; mu 9.6 kPa
     EXPECT_NEAR(curve.find("band_worst_pressure")->values.back(), 17.6, 1e-9);
     EXPECT_NEAR(curve.find("band_rss_pressure")->values.back(), std::hypot(8, 9.6), 1e-9);
-    EXPECT_EQ(key, "material.mu");
-    EXPECT_NEAR(share, 9.6 * 9.6 / (64 + 9.6 * 9.6), 1e-9);
-    EXPECT_NEAR(tolerance_band(curve).widths[0].linear.back(), std::hypot(8, 9.6), 1e-9);
+    // the output at a fixed load: over the stiffness of 6 kPa/mm
+    EXPECT_NEAR(curve.find("band_rss_elongation")->values.back(), std::hypot(8, 9.6) / 6, 1e-9);
+}
+
+TEST(Sensitivity, BandOfCorrelatedDeviationsHasTheirCovariance) {
+    Spring spring;
+    spring.model.parameters.push_back({"material.mu", "MPa", 1e6, 1e6, 0, 0});
+    for (model::Step& step : spring.steps) {
+        step.derivatives.push_back(step.pressure_Pa / 1e6);
+        step.derivatives.push_back(0);
+    }
+    // 8 kPa by the wall and 9.6 kPa by mu, with a correlation of -0.5; and 0.2 mm of another wall
+    const double wall = 1e-4, mu = 4e4;
+    Deviations deviations{{0, 1}, {wall * wall, -0.5 * wall * mu, -0.5 * wall * mu, mu * mu}};
+    deviations.add({{0}, {4 * wall * wall}});
+    Curve curve = make_curve(spring.model, spring.steps);
+    static_cast<void>(add_tolerance_band(curve, spring.model, deviations));
+    EXPECT_NEAR(curve.find("band_rss_pressure")->values.back(), std::sqrt(64 + 9.6 * 9.6 - 8 * 9.6 + 256), 1e-9);
+    EXPECT_NEAR(curve.find("band_worst_pressure")->values.back(), 8 + 9.6 + 16, 1e-9);
+}
+
+TEST(Sensitivity, BandIsDrawnOverTheFirstOutputOnly) {
+    const Spring spring;
+    PlotSeries series{"", make_curve(spring.model, spring.steps), {}};
+    const std::vector<std::string> texts{"geometry.wall=0.1mm"};
+    static_cast<void>(add_tolerance_band(series.curve, spring.model, parse_tolerances(texts, spring.model)));
+    const auto block = [&](const PlotRequest& request) {
+        const std::string script = plot_script({&series, 1}, nullptr, request, PictureFormat::svg);
+        const std::size_t at = script.find("$tolerances1 << END\n");
+        return at == std::string::npos ? "" : script.substr(at, script.find("\nEND\n", at) - at);
+    };
+    double x = 0, y = 0;
+    ASSERT_EQ(std::sscanf(block({}).c_str(), "$tolerances1 << END\n%lf %lf", &x, &y), 2);
+    EXPECT_NEAR(x, 10, 1e-9);
+    EXPECT_NEAR(y, 60 + 2, 1e-9);
+    EXPECT_NE(block({.x = "pressure", .y = "elongation"}), "");
+    EXPECT_EQ(block({.x = "elongation", .y = "stretch_p99"}), "");
 }
 
 TEST(Sensitivity, BarsAreSortedUpwardsByTheirSize) {
