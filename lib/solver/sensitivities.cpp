@@ -84,7 +84,7 @@ struct Sensitivities::Parameter {
         std::optional<StageLoads> loads = {};
     };
     std::array<Varied, 2> varied;
-    bool is_rough = false;        ///< the change is too large for a difference to one side
+    bool is_rough = false;        ///< a difference to one side is not accurate enough
     StageStart start_slope = {};  ///< derivative of the start of the next stage
 
     [[nodiscard]] Side side(std::size_t which, const PathState& path, const PathPoint& point, const fem::System& base) {
@@ -110,11 +110,13 @@ struct Sensitivities::Parameter {
 Sensitivities::Sensitivities(const fem::System& base, std::span<const std::array<model::Case, 2>> variations,
                              WithStretch stretch)
     : base_(base), stretch_(stretch) {
+    // Where displacements alone carry a large bulk modulus, its parts of the derivative nearly cancel, and errors of second order do not.
+    const bool is_stiff = base.input().formulation != model::Formulation::mixed;
     for (std::size_t i = 0; i < variations.size(); ++i) {
         const model::DesignParameter& of = base.input().parameters[i];
         parameters_.emplace_back();
         parameters_.back().varied[0] = {.change = of.lower - of.value, .input = &variations[i][0]};
-        parameters_.back().is_rough = of.higher - of.value > small_change * std::abs(of.value);
+        parameters_.back().is_rough = is_stiff || of.higher - of.value > small_change * std::abs(of.value);
         parameters_.back().varied[1] = {.change = of.higher - of.value, .input = &variations[i][1]};
     }
 }

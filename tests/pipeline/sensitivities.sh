@@ -50,6 +50,11 @@ claim "the actuator touches itself" [ "$(wc -l <table.csv)" -gt 10 ]
 compare d_output elongation_mm geometry.pitch "$(cell value geometry.pitch table.csv)" mm "$vacuum" 5e-4
 compare d_output elongation_mm material.mu "$(cell value material.mu table.csv)" "$(cell unit material.mu table.csv)" "$vacuum" 5e-4
 
+# Displacements alone with a large bulk modulus, whose parts of the derivative nearly cancel.
+stiff="mesh-gen -q designs/tube.yaml --set mesh.quality=draft --set mesh.formulation=displacement --set 'material={law: neo-hookean-compressible, mu: 0.1 MPa, kappa: 10 MPa}' --set loads.cavity.pressure=10kPa --set path.control=pressure --set path.until={}"
+runs "$stiff --sensitivity geometry.outer_radius | solve -q | postprocess -q --sensitivity -o table.csv"
+compare d_output elongation_mm geometry.outer_radius 10 mm "$stiff" 1e-4
+
 # Thin sphere: the limit pressure is proportional to mu t / R (thin shell: 0.62 mu t / R x 2), so to mu, and to (b - a) / a.
 shell="mesh-gen -q designs/sphere.yaml --set geometry.inner_radius=100mm --set geometry.outer_radius=101mm --set 'outputs={growth: {face: outer, along: r}}' --set path.until.volume_ratio=4"
 runs "$shell --sensitivity all | solve -q --json solve.json | postprocess -q --sensitivity -o table.csv"
