@@ -50,8 +50,8 @@ optimize::Trial trial_of(const nlohmann::json& json) {
 
 }  // namespace
 
-TrialFile::TrialFile(std::filesystem::path folder, const std::string& goal, bool resumes)
-    : file_(std::move(folder) / "trials.jsonl"), head_("{\"goal\":\"" + core::sha256_hex(goal) + "\"}") {
+TrialFile::TrialFile(const std::filesystem::path& folder, const std::string& goal, bool resumes)
+    : file_(folder / "trials.jsonl"), head_("{\"goal\":\"" + core::sha256_hex(goal) + "\"}") {
     std::error_code unknown;
     const bool has_trials = std::filesystem::file_size(file_, unknown) > 0 && !unknown;
     if (!has_trials) {
@@ -62,6 +62,9 @@ TrialFile::TrialFile(std::filesystem::path folder, const std::string& goal, bool
         throw Error(ExitCode::usage, file_.string(), "contains the trials of an earlier search",
                     "continue it with --resume, or name another --folder");
     read();
+    std::ifstream in(file_);
+    in.seekg(-1, std::ios::end);
+    if (in.get() != '\n') append("");  // the last line was cut off
 }
 
 void TrialFile::read() {

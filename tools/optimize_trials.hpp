@@ -15,7 +15,7 @@ class TrialFile {
 public:
     /// `goal`: a text that identifies the goal and its designs. Throws Error: usage if the file has trials but `resumes` is false;
     /// bad_input if they belong to another goal.
-    TrialFile(std::filesystem::path folder, const std::string& goal, bool resumes);
+    TrialFile(const std::filesystem::path& folder, const std::string& goal, bool resumes);
 
     /// Reads the trials in the file; a line that was cut off is left out.
     void read();

@@ -215,8 +215,22 @@ std::string suffix_of(const std::string& unit) {
 }
 
 /// The stiffness along the path, and the derivatives of the load at a fixed first output (sensitivity.hpp).
-void add_derivatives(std::vector<Entry>& entries, const model::Case& model) {
+void add_derivatives(std::vector<Entry>& entries, const model::Case& model, std::span<const Step> steps) {
     if (model.outputs.empty() || model.parameters.empty()) return;
+    // Where the slopes are unknown, at a bifurcation: linear between the neighbouring rows.
+    const auto between_known_rows = [steps](const Step& step, const auto& value) {
+        const auto is_known = [](const Step& row) { return row.tangent_pressure != 0 || row.tangent_outputs[0] != 0; };
+        if (is_known(step)) return value(step);
+        std::size_t before = static_cast<std::size_t>(&step - steps.data()), after = before;
+        while (before > 0 && !is_known(steps[before])) --before;
+        while (after + 1 < steps.size() && !is_known(steps[after])) ++after;
+        if (!is_known(steps[before])) before = after;
+        if (!is_known(steps[after])) after = before;
+        if (!is_known(steps[before])) return 0.0;
+        const double from = steps[before].outputs[0], to = steps[after].outputs[0];
+        const double share = from == to ? 0 : std::clamp((step.outputs[0] - from) / (to - from), 0.0, 1.0);
+        return std::lerp(value(steps[before]), value(steps[after]), share);
+    };
     const Column load = leading_column(model);
     const Unit per = column_unit(model.outputs.front().measure);
     const auto add = [&](const std::string& quantity, const std::string& unit, double SI_per_unit, std::string meaning,
@@ -232,15 +246,19 @@ void add_derivatives(std::vector<Entry>& entries, const model::Case& model) {
     };
     const auto stiffness = [](const Step& step) { return step.tangent_pressure / step.tangent_outputs[0]; };
     add("stiffness", std::string{per.suffix}, per.SI_per_unit, "slope of the load over the first output along the path",
-        [=](const Step& step) { return step.tangent_outputs.empty() ? std::nullopt : Value(stiffness(step)); });
+        [=](const Step& step) {
+            return step.tangent_outputs.empty() ? std::nullopt : Value(between_known_rows(step, stiffness));
+        });
     const std::size_t quantities = 1 + model.outputs.size();
     for (std::size_t i = 0; i < model.parameters.size(); ++i) {
         const model::DesignParameter& parameter = model.parameters[i];
         add(load.quantity + "_by_" + parameter.key, parameter.unit, parameter.SI_per_unit,
             "derivative of the load by a number of the design at a fixed first output", [=](const Step& step) {
                 if (step.derivatives.size() < (i + 1) * quantities) return Value();
-                const double* D = &step.derivatives[i * quantities];
-                return Value(D[1] == 0 ? D[0] : D[0] - stiffness(step) * D[1]);
+                return Value(between_known_rows(step, [&](const Step& row) {
+                    const double* D = &row.derivatives[i * quantities];
+                    return D[1] == 0 ? D[0] : D[0] - stiffness(row) * D[1];
+                }));
             });
     }
 }
@@ -265,7 +283,7 @@ std::vector<Entry> entries_of(const model::Case& model, std::span<const Step> st
     add_motion_energies(entries);
     add_local_values(entries);
     add_on_demand(entries, model);
-    add_derivatives(entries, model);
+    add_derivatives(entries, model, steps);
     return entries;
 }
 

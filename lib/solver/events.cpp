@@ -190,8 +190,9 @@ std::optional<Event> locate_bifurcation(Corrector& corrector, const PathState& p
         return std::nullopt;
     }
     if (mode) normalize_mode(corrector.system(), *mode);
-    return Event{Event::Kind::bifurcation, std::move(bracket.left ? *bracket.left : *bracket.right), 1,
-                 std::move(mode)};
+    PathPoint found = std::move(bracket.left ? *bracket.left : *bracket.right);
+    found.is_singular = true;
+    return Event{Event::Kind::bifurcation, std::move(found), 1, std::move(mode)};
 }
 
 contact::Summary contact_at(Corrector& corrector, const PathState& path, const State& state) {

@@ -59,6 +59,7 @@ void Recorder::append(PathState& path, PathPoint& point) {
         step.energies->dissipated_J = path.dissipated_J / system.input().model_fraction;
     if (frequencies_) step.frequencies_Hz = frequencies_->evaluate(point.state.x, point.levels);
     if (sensitivities_ != nullptr) sensitivities_->evaluate(corrector_, path, point, step);
+    if (point.is_singular) forget_slopes(step);
     path.stretch_p99 = step.stretch_p99;
     path.visited.push_back(visited_state(point, direction));
     ++path.rows;
