@@ -13,6 +13,7 @@
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "design/tree.hpp"
+#include "geometry/build.hpp"
 #include "geometry/family.hpp"
 #include "library_versions.hpp"
 #include "linalg/session.hpp"
@@ -190,24 +191,37 @@ private:
     int trial_ = 0;
 };
 
+/// What the trials in a folder depend on: the goal, its data, the designs and the files that they name, by their meshes.
+std::string identity_of(const OptimizeOptions& options, const optimize::Goal& goal, std::string_view text,
+                        std::span<const optimize::Base> bases) {
+    std::string identity = std::string{cli::version()} + std::string{text} + options.starts;
+    for (const optimize::Condition& condition : goal.conditions)
+        identity += condition.measure.text + " " + condition.value_text + "\n";
+    for (std::size_t run = 0; run < bases.size() && !options.folder.empty(); ++run) {
+        const design::Design design =
+            design::read_design(bases[run].text, bases[run].source, geometry::catalogue_keys(), goal.runs[run].set);
+        identity += design.effective_yaml;
+        for (const mesh::Point& point : geometry::build_with_figures(design).model.mesh.points)
+            for (const double coordinate : point) identity += core::number_text(coordinate) + " ";
+    }
+    return identity;
+}
+
 ExitCode run(const OptimizeOptions& options) {
     cli::Console console{about, options.common};
     const cli::Input input = cli::read_input(options.input, cli::max_design_bytes);
     optimize::Goal goal = optimize::read_goal(input.text(), input.source);
     const std::vector<optimize::Base> bases = read_bases(goal);
     const std::vector<double> first = complete(goal, bases);
-    std::string identity = std::string{cli::version()} + std::string{input.text()} + options.starts;
-    for (const optimize::Base& base : bases) identity += base.text;
-    for (const optimize::Condition& condition : goal.conditions)
-        identity += condition.measure.text + " " + condition.value_text + "\n";
+    const std::string identity = identity_of(options, goal, input.text(), bases);
     optimize::Found found;
     {
         const cli::StdoutRedirection kept;
         found = FiledSearch(options, console, goal, bases, first, identity).run();
     }
     const std::vector<std::string> lines = report_lines(goal, found);
-    cli::write_output(options.common.output, found_design(goal, found, bases.front(), lines));
     if (!options.common.json.empty()) cli::write_json(options.common.json, report_json(goal, found));
+    cli::write_output(options.common.output, found_design(goal, found, bases.front(), lines));
     for (const std::string& line : lines) console.say(line);
     if (found.violation <= 0) return ExitCode::ok;
     console.error("no such design: the nearest of " + std::to_string(found.trials) + " trials is printed");

@@ -29,16 +29,11 @@ std::string relation_text(const Condition& condition) {
     return "above " + condition.value_text;
 }
 
-/// A bound within this fraction of its value is active.
-constexpr double active_share = 2e-3;
-
 std::string condition_text(const Condition& condition, double value_SI) {
     std::string text =
         condition.measure.text + ": " + value_text(condition, value_SI) + ", " + relation_text(condition);
     if (optimize::violation_of(condition, value_SI) > 0) return text + ": not met";
-    const bool bound = condition.relation != Condition::Relation::equal;
-    if (bound && std::abs(value_SI - condition.value_SI) <= active_share * std::abs(condition.value_SI))
-        text += ": active";
+    if (optimize::is_active(condition, value_SI)) text += ": active";
     return text;
 }
 
@@ -98,6 +93,8 @@ void add_statistics(const optimize::Goal& goal, const optimize::Statistics& stat
         lines.push_back("the data hardly tell apart: " + combination_text(goal, statistics) +
                         "; the amount of this combination is known to +- " +
                         core::rounded_text(100 * statistics.weakest_error, 2) + " %");
+    for (const std::size_t i : statistics.undetermined)
+        lines.push_back("the data do not determine " + goal.variables[i].key + ": it does not change them");
     for (std::size_t k = 0; k < statistics.variables.size(); ++k) {
         const optimize::Variable& variable = goal.variables[statistics.variables[k]];
         if (statistics.standard_errors[k] > 0.5 * variable.range())
@@ -137,7 +134,10 @@ std::vector<std::string> report_lines(const optimize::Goal& goal, const optimize
         if (!goal.conditions[i].curve)
             lines.push_back(condition_text(goal.conditions[i], found.trial.conditions[i].value_SI));
     for (const CurveErrors& errors : curve_errors(goal, found.trial)) lines.push_back(curve_text(goal, errors));
-    if (statistics) add_statistics(goal, *statistics, lines);
+    if (statistics)
+        add_statistics(goal, *statistics, lines);
+    else if (has_data)
+        lines.emplace_back("no standard errors: a bound is active, or there are not more data than numbers");
     if (goal.stable) lines.emplace_back(found.trial.is_stable ? "stable" : "stable: not met");
     if (goal.minimize) {
         const bool volume = goal.minimize->kind != optimize::Measure::Kind::curve;

@@ -34,8 +34,16 @@ Estimate of_fit(const nlohmann::json& fit) {
 
 Estimate of_optimization(const nlohmann::json& report) {
     Estimate estimate;
+    const auto value_of = [&report](const std::string& key) -> std::optional<double> {
+        const std::string text = report.at("values").at(key);
+        const std::string unit = core::quantity_parts(text).unit;
+        const auto value = core::parse_quantity(
+            text, unit.empty() ? core::Dimension::ratio : core::dimension_of(unit).value_or(core::Dimension::ratio));
+        const double* SI = std::get_if<double>(&value);
+        return SI == nullptr ? std::nullopt : std::optional(*SI);
+    };
     for (const auto& [key, error] : report.at("standard_errors_SI").items()) {
-        estimate.numbers.push_back({key, std::nullopt});
+        estimate.numbers.push_back({key, value_of(key)});
         for (const auto& [other, correlation] : report.at("correlations").at(key).items())
             estimate.covariance.push_back(error.get<double>() *
                                           report.at("standard_errors_SI").at(other).get<double>() *
@@ -57,6 +65,8 @@ post::Deviations fitted_deviations(const std::string& file, const model::Case& m
                     "give the --json file of fit-material or optimize");
     }
     const std::size_t size = estimate.numbers.size();
+    if (estimate.covariance.size() != size * size)
+        throw Error(ExitCode::bad_input, file, "has a covariance of the wrong size");
     post::Deviations deviations;
     std::vector<std::size_t> used;
     for (std::size_t i = 0; i < size; ++i) {
@@ -75,6 +85,8 @@ post::Deviations fitted_deviations(const std::string& file, const model::Case& m
         used.push_back(i);
         deviations.parameters.push_back(static_cast<std::size_t>(found - model.parameters.begin()));
     }
+    if (used.empty())
+        throw Error(ExitCode::bad_input, file, "has no errors: all its numbers are at the ends of their ranges");
     for (const std::size_t i : used)
         for (const std::size_t j : used) deviations.covariance.push_back(estimate.covariance.at(i * size + j));
     return deviations;

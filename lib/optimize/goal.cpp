@@ -33,13 +33,15 @@ struct Written {
     std::string text, unit;
     double SI_per_unit = 1;
 };
-/// The dimension follows from the unit.
-Written quantity_of(const Node& node, const std::string& path) {
+std::optional<core::Dimension> dimension_of(const std::string& unit) {
+    return unit.empty() || unit == "%" ? core::Dimension::ratio : core::dimension_of(unit);
+}
+/// The dimension follows from the unit, unless it is given.
+Written quantity_of(const Node& node, const std::string& path, std::optional<core::Dimension> wanted = {}) {
     if (node.kind != Node::Kind::scalar)
         refuse(node.location, path, "a value is needed here", "write for example 20 kPa");
     const core::QuantityParts parts = core::quantity_parts(node.text);
-    const auto dimension =
-        parts.unit.empty() || parts.unit == "%" ? core::Dimension::ratio : core::dimension_of(parts.unit);
+    const auto dimension = wanted ? wanted : dimension_of(parts.unit);
     if (!dimension)
         refuse(node.location, path, core::quoted(parts.unit) + " is not a unit", "write for example 20 kPa");
     const auto value = core::parse_quantity(node.text, *dimension);
@@ -56,10 +58,8 @@ Variable variable_of(const Member& member_of_vary) {
     require_map(range, path, "{from: 1.5 mm, to: 4 mm}");
     design::require_known_keys(range, {"from", "to", "prior", "sd"}, path);
     const Node &from = member(range, "from", path), &to = member(range, "to", path);
-    const Written low = quantity_of(from, path + ".from"), high = quantity_of(to, path + ".to");
+    const Written low = quantity_of(from, path + ".from"), high = quantity_of(to, path + ".to", dimension_of(low.unit));
     if (!(low.SI < high.SI)) refuse(to.location, path + ".to", "is not larger than `from`");
-    if (low.unit.empty() != high.unit.empty())
-        refuse(to.location, path + ".to", "`from` and `to` are not of one kind", "write both with their unit");
     return {member_of_vary.key, low.SI, high.SI, false, low.unit, low.SI_per_unit};
 }
 
@@ -131,8 +131,11 @@ std::optional<Condition> prior_of(const Member& variable) {
                "write for example prior: 84 kPa, sd: 5 kPa");
     Condition condition;
     condition.measure = {.kind = Measure::Kind::keys, .terms = {{1, variable.key}}, .text = "prior of " + variable.key};
-    set_value(condition, quantity_of(*prior, path + ".prior"));
-    const double sd = quantity_of(*deviation, path + ".sd").SI;
+    const Written from = quantity_of(member(variable.value, "from", path), path + ".from");
+    set_value(condition, quantity_of(*prior, path + ".prior", dimension_of(from.unit)));
+    const bool is_share = core::quantity_parts(deviation->text).unit == "%";
+    const double sd = is_share ? quantity_of(*deviation, path + ".sd").SI * condition.scale_SI
+                               : quantity_of(*deviation, path + ".sd", dimension_of(from.unit)).SI;
     if (!(sd > 0)) refuse(deviation->location, path + ".sd", "must be more than 0");
     condition.within = sd / condition.scale_SI;
     condition.is_data = true;
@@ -157,7 +160,11 @@ std::vector<design::Override> changes_of(const Node& map) {
 std::size_t run_of(const Node& entry, std::vector<Run>& runs) {
     const Node* design_file = design::find(entry, "design");
     Run run = runs.front();
-    if (design_file != nullptr) run = {design_file->text, design_file->location, {}};
+    if (design_file != nullptr) {
+        if (design_file->kind != Node::Kind::scalar || design_file->text.empty())
+            refuse(design_file->location, "design", "the name of a file is needed here");
+        run = {design_file->text, design_file->location, {}};
+    }
     const std::vector<design::Override> changes = changes_of(entry);
     run.set.insert(run.set.end(), changes.begin(), changes.end());
     const auto same = [&](const Run& other) {
@@ -173,7 +180,8 @@ std::size_t run_of(const Node& entry, std::vector<Run>& runs) {
 
 double tolerance_of(const Node& entry, const std::string& path) {
     const Node* within = design::find(entry, "within");
-    const double value = within == nullptr ? usual_tolerance : quantity_of(*within, path + ".within").SI;
+    const double value =
+        within == nullptr ? usual_tolerance : quantity_of(*within, path + ".within", core::Dimension::ratio).SI;
     if (!(value > 0)) refuse(entry.location, path + ".within", "must be more than 0");
     return value;
 }
@@ -197,7 +205,7 @@ MeasuredCurve curve_of(const Node& entry, const std::string& path, std::vector<R
                         .to = text("to"),
                         .within = tolerance_of(entry, path)};
     if (const Node* weight = design::find(entry, "weight")) {
-        const double value = quantity_of(*weight, path + ".weight").SI;
+        const double value = quantity_of(*weight, path + ".weight", core::Dimension::ratio).SI;
         if (!(value > 0)) refuse(weight->location, path + ".weight", "must be more than 0");
         curve.within /= std::sqrt(value);
     }
@@ -297,6 +305,8 @@ Goal read_goal(std::string_view text, std::string_view source) {
     design::require_known_keys(root, {"design", "set", "vary", "targets", "minimize", "constraints"}, "");
     Goal goal;
     const Node& design_file = member(root, "design", "design");
+    if (design_file.kind != Node::Kind::scalar || design_file.text.empty())
+        refuse(design_file.location, "design", "the name of a file is needed here");
     goal.runs.push_back({design_file.text, design_file.location, changes_of(root)});
     const Node& vary = member(root, "vary", "vary");
     require_map(vary, "vary", "{geometry.wall: {from: 1.5 mm, to: 4 mm}}");
@@ -326,6 +336,10 @@ Goal read_goal(std::string_view text, std::string_view source) {
                "add targets: [{elongation: 60 mm, at: {pressure: 20 kPa}}]");
     for (const Member& one : vary.members)
         if (auto prior = prior_of(one)) goal.conditions.push_back(std::move(*prior));
+    for (const Run& run : goal.runs)
+        for (const design::Override& change : run.set)
+            if (std::ranges::find(goal.variables, change.path, &Variable::key) != goal.variables.end())
+                refuse(change.location, "set." + change.path, "is varied too", "omit it here or under `vary`");
     const bool has_data = !goal.curves.empty() || std::ranges::any_of(goal.conditions, &Condition::is_data);
     if (has_data && goal.minimize)
         refuse(design::find(root, "minimize")->location, "minimize",
@@ -340,17 +354,23 @@ std::vector<double> start_of(Goal& goal, std::span<const design::Design> designs
         const std::string location = "vary." + variable.key;
         std::vector<std::string> known;
         const design::Design* first = nullptr;
+        variable.is_whole = false;
         for (std::size_t run = 0; run < designs.size(); ++run) {
             const design::Design& design = designs[run];
-            for (const model::DesignParameter& parameter : design.parameters) known.push_back(parameter.key);
+            for (const model::DesignParameter& parameter : design.parameters) {
+                known.push_back(parameter.key);
+                if (parameter.key == variable.key && !design.values.has(variable.key))
+                    throw Error(ExitCode::bad_input, location, "is an item of a list, which cannot be varied");
+            }
             if (!design.values.has(variable.key)) continue;
-            if (first == nullptr) first = &design;
             goal.runs[run].variables.push_back(i);
             const bool is_continuous = std::ranges::find(design.parameters, variable.key,
                                                          &model::DesignParameter::key) != design.parameters.end();
-            variable.is_whole = !is_continuous;
             if (!is_continuous && !std::holds_alternative<long>(core::parse_count(design.values.text(variable.key))))
-                first = nullptr;
+                continue;
+            if (first != nullptr) continue;
+            first = &design;
+            variable.is_whole = !is_continuous;
         }
         if (first == nullptr)
             throw Error(ExitCode::bad_input, location,

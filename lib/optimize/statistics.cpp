@@ -12,14 +12,31 @@ bool is_at_end(const Variable& variable, double value_SI) {
     return std::min(value_SI - variable.from, variable.to - value_SI) <= share * variable.range();
 }
 
+bool is_active(const Condition& condition, double value_SI) {
+    constexpr double share = 2e-3;
+    return condition.relation != Condition::Relation::equal &&
+           std::abs(value_SI - condition.value_SI) <= share * condition.scale_SI;
+}
+
 std::optional<Statistics> statistics_of(const Goal& goal, const Found& found) {
     Statistics result;
-    for (std::size_t i = 0; i < goal.variables.size(); ++i)
-        if (!goal.variables[i].is_whole && !is_at_end(goal.variables[i], found.values[i]))
-            result.variables.push_back(i);
     std::vector<std::size_t> targets;
-    for (std::size_t i = 0; i < goal.conditions.size(); ++i)
+    for (std::size_t i = 0; i < goal.conditions.size(); ++i) {
+        if (is_active(goal.conditions[i], found.trial.conditions[i].value_SI)) return std::nullopt;
         if (goal.conditions[i].relation == Condition::Relation::equal) targets.push_back(i);
+    }
+    for (std::size_t i = 0; i < goal.variables.size(); ++i) {
+        if (goal.variables[i].is_whole) continue;
+        const bool changes_data = std::ranges::any_of(targets, [&](std::size_t target) {
+            constexpr double least = 1e-6;  // of what is allowed, over the whole range
+            return std::abs(found.trial.conditions[target].gradient[i]) * goal.variables[i].range() >
+                   least * goal.conditions[target].allowed_SI();
+        });
+        if (!changes_data)
+            result.undetermined.push_back(i);
+        else if (!is_at_end(goal.variables[i], found.values[i]))
+            result.variables.push_back(i);
+    }
     const auto n = static_cast<Eigen::Index>(targets.size()), k = static_cast<Eigen::Index>(result.variables.size());
     if (k == 0 || n <= k) return std::nullopt;
 

@@ -12,11 +12,12 @@
 namespace soft::optimize {
 
 struct Statistics {
-    std::vector<std::size_t> variables;   ///< those that are determined
-    std::vector<double> standard_errors;  ///< of each, SI
-    std::vector<double> correlations;     ///< by rows; 1 on the diagonal
-    double scatter = 0;                   ///< s
-    std::size_t degrees_of_freedom = 0;   ///< n - k
+    std::vector<std::size_t> variables;     ///< those that are determined
+    std::vector<std::size_t> undetermined;  ///< those that do not change the data at all
+    std::vector<double> standard_errors;    ///< of each, SI
+    std::vector<double> correlations;       ///< by rows; 1 on the diagonal
+    double scatter = 0;                     ///< s
+    std::size_t degrees_of_freedom = 0;     ///< n - k
     /// Of J with columns of length 1; large where a combination of variables hardly changes the data.
     double condition = 1;
     /// That combination: relative changes of the variables, the largest 1, that hardly change the data together, and the standard error of
@@ -28,8 +29,11 @@ struct Statistics {
     static constexpr double max_condition = 14;
 };
 
-/// nullopt unless there are more targets than variables to be determined.
+/// nullopt unless there are more targets than variables to be determined, and where a bound among the conditions is active.
 [[nodiscard]] std::optional<Statistics> statistics_of(const Goal& goal, const Found& found);
+
+/// Whether a bound is active: met with little to spare.
+[[nodiscard]] bool is_active(const Condition& condition, double value_SI);
 
 /// Whether a value lies at an end of its range.
 [[nodiscard]] bool is_at_end(const Variable& variable, double value_SI);

@@ -281,7 +281,7 @@ void add_run(const Goal& goal, std::size_t index, const Base& base, const std::v
                 condition.is_data ? std::optional(condition.value_SI) : std::nullopt);
     }
     if (goal.minimize && index == 0) trial.objective = measured(*goal.minimize, never, std::nullopt);
-    if (!path) return;
+    if (!needs_path) return;
     for (std::size_t row = 0; row < path->steps.size(); ++row)
         if (last_row < 0 || static_cast<double>(row) < std::ceil(last_row) + 1)
             trial.is_stable = trial.is_stable && path->steps[row].stable;

@@ -97,6 +97,28 @@ TEST(Goal, HasARunForEachDesignAndSetOfChanges) {
     EXPECT_DOUBLE_EQ(goal.conditions[2].allowed_SI(), 100);
 }
 
+TEST(Goal, TheErrorOfAPriorMayBeAShareOfIt) {
+    const Goal goal = read_goal(
+        "design: a.yaml\nvary: {m: {from: 100 kPa, to: 0.4 MPa, prior: 200 kPa, sd: 5 %}}\ntargets: [{curve: c.csv}]\n",
+        "goal.yaml");
+    EXPECT_DOUBLE_EQ(goal.variables[0].to, 4e5);
+    EXPECT_DOUBLE_EQ(goal.conditions[0].allowed_SI(), 1e4);
+}
+
+TEST(Goal, RefusesValuesOfAnotherKind) {
+    const auto with = [](const std::string& range, const std::string& target) {
+        return refusal("design: a.yaml\nvary: {m: {from: 1 kPa, to: " + range + "}}\ntargets: [{" + target + "}]\n");
+    };
+    const std::string curve = "curve: c.csv";
+    EXPECT_NE(with("4 mm", curve).find("vary.m.to: "), std::string::npos);
+    EXPECT_NE(with("4 kPa, prior: 150, sd: 5 %", curve).find("vary.m.prior: "), std::string::npos);
+    EXPECT_NE(with("4 kPa, prior: 2 mm, sd: 1 mm", curve).find("vary.m.prior: "), std::string::npos);
+    EXPECT_NE(with("4 kPa, prior: 2 kPa, sd: 5", curve).find("vary.m.sd: "), std::string::npos);
+    EXPECT_NE(with("4 kPa", curve + ", within: 1 mm").find("targets.within: "), std::string::npos);
+    EXPECT_NE(with("4 kPa", curve + ", design: [b]").find("the name of a file is needed here"), std::string::npos);
+    EXPECT_NE(with("4 kPa", curve + ", set: {m: 2 kPa}").find("set.m: is varied too"), std::string::npos);
+}
+
 TEST(Goal, RefusesWithPlaceProblemAndRemedy) {
     EXPECT_EQ(refusal("design: a.yaml\nvary: {geometry.wall: {from: 4 mm, to: 1 mm}}\ntargets: []\n"),
               "goal.yaml:2:40: vary.geometry.wall.to: is not larger than `from`");

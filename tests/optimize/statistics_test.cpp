@@ -94,6 +94,28 @@ TEST(Statistics, NameTheCombinationThatTheDataDoNotDetermine) {
     EXPECT_NEAR(statistics->weakest[1], -intercept / slope, 1e-3);
 }
 
+TEST(Statistics, LeaveOutWhatDoesNotChangeTheDataAndEndAtAnActiveBound) {
+    Goal goal = line(1);
+    goal.variables.push_back(variable("c", 0, 1));
+    const auto with_c = [](const std::vector<double>& v) {
+        Trial trial = model()(v);
+        for (Trial::Value& value : trial.conditions) value.gradient.push_back(0);
+        return trial;
+    };
+    const Found found = search(goal, {1, 1, 0.5}, 1, with_c, silent);
+    const auto statistics = statistics_of(goal, found);
+    ASSERT_TRUE(statistics);
+    EXPECT_EQ(statistics->undetermined, (std::vector<std::size_t>{2}));
+    EXPECT_EQ(statistics->variables, (std::vector<std::size_t>{0, 1}));
+    Condition bound;
+    bound.relation = Condition::Relation::below;
+    bound.value_SI = bound.scale_SI = 2;
+    goal.conditions.push_back(bound);
+    Found at_bound = found;
+    at_bound.trial.conditions.push_back({2, {1, 0, 0}});
+    EXPECT_FALSE(statistics_of(goal, at_bound));
+}
+
 TEST(Statistics, NeedMoreTargetsThanVariablesAndLeaveOutEnds) {
     Goal goal = line(1);
     goal.variables[0] = variable("a", 2.5, 10);  // the estimate ends there

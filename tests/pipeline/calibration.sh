@@ -76,6 +76,9 @@ refuses 64 'optimize: trials/trials.jsonl: contains the trials of an earlier sea
 head -c -20 trials/trials.jsonl >shorter && mv shorter trials/trials.jsonl
 runs 'optimize goal.yaml -q --folder trials --resume -o three.yaml'
 claim "a continued search finds the same" cmp one.yaml three.yaml
+lines=$(wc -l <trials/trials.jsonl)
+runs 'optimize goal.yaml -q --folder trials --resume -o four.yaml'
+claim "the line that was cut off is computed once" [ "$(wc -l <trials/trials.jsonl)" -eq "$lines" ]
 sed -i 's/4 mm/5 mm/' goal.yaml
 refuses 65 'optimize: trials/trials.jsonl: contains the trials of another goal or version; *' 'optimize goal.yaml -q --folder trials --resume'
 

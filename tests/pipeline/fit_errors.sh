@@ -55,6 +55,11 @@ awk -F, 'NR == 1 { print $2 "," $3; next } NR > 2 { print $2 * (1 + 0.01 * sin(N
 runs 'optimize goal.yaml -q --json report.json -o found.yaml && mesh-gen -q found.yaml --sensitivity material.mu | solve -q | postprocess -q --errors report.json -o found.csv'
 claim 'the errors of a calibration give a band' within "$(part band_rss_pressure_kPa pressure_kPa found.csv)" 1e-4 0.01
 
+sed 's/"material.mu": "[0-9.]* /"material.mu": "10 /' report.json >other.json
+runs 'mesh-gen -q found.yaml --sensitivity material.mu | solve -q -o found.h5'
+refuses 65 'postprocess: --errors other.json: the fit has another material.mu than the result *' 'postprocess -q found.h5 --errors other.json'
+echo '{"standard_errors_SI": {}, "correlations": {}}' >empty.json
+refuses 65 'postprocess: empty.json: has no errors: *' 'postprocess -q found.h5 --errors empty.json'
 refuses 65 'postprocess: one.yaml: is not a fit: *' 'postprocess -q one.h5 --errors one.yaml'
 refuses 66 'postprocess: absent.json: *' 'postprocess -q one.h5 --errors absent.json'
 refuses 64 'postprocess: --errors three.json: the result has no sensitivity to material.c1; *' 'postprocess -q one.h5 --errors three.json'

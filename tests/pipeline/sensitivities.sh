@@ -50,6 +50,17 @@ claim "the actuator touches itself" [ "$(wc -l <table.csv)" -gt 10 ]
 compare d_output elongation_mm geometry.pitch "$(cell value geometry.pitch table.csv)" mm "$vacuum" 5e-4
 compare d_output elongation_mm material.mu "$(cell value material.mu table.csv)" "$(cell unit material.mu table.csv)" "$vacuum" 5e-4
 
+# Next to a bifurcation, of a rod under dead tension of its ends: p = mu (l^2 - 1/l), which does not depend on the width.
+runs "mesh-gen -q designs/rod.yaml --set mesh.size=10mm --set 'material={law: neo-hookean, mu: 0.15 MPa, kappa: incompressible}' --sensitivity geometry.width,material.mu | solve -q --json solve.json -o rod.h5"
+claim "there is a bifurcation" [ -n "$(json solve.json bifurcations 0 step)" ]
+runs 'postprocess -q rod.h5 --at elongation=35mm,38mm,42mm -o rod.csv'
+column pressure_kPa rod.csv >found
+for exact in -162.2642 -176.9644 -196.8257; do
+    read -r pressure; claim "beside it the curve is exact" within "$(ratio "$pressure" "$exact")" 0.9999 1.0001
+done <found
+runs 'postprocess -q rod.h5 --tolerances geometry.width=0.5mm --at elongation=39mm -o rod.csv'
+claim "and the width has no influence there" within "$(column band_rss_pressure_kPa rod.csv)" 0 1e-3
+
 # Displacements alone with a large bulk modulus, whose parts of the derivative nearly cancel.
 stiff="mesh-gen -q designs/tube.yaml --set mesh.quality=draft --set mesh.formulation=displacement --set 'material={law: neo-hookean-compressible, mu: 0.1 MPa, kappa: 10 MPa}' --set loads.cavity.pressure=10kPa --set path.control=pressure --set path.until={}"
 runs "$stiff --sensitivity geometry.outer_radius | solve -q | postprocess -q --sensitivity -o table.csv"
