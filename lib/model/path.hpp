@@ -24,7 +24,7 @@ enum class StopReason { done, limit_point, diverged, inverted_element, self_cont
 }
 
 /// One converged state. The tangent_* values are the derivatives by a common path parameter (of arbitrary positive scale, in the
-/// direction of the path), so d(pressure)/d(volume) is a quotient of two of them; all 0 where they are unknown: at a bifurcation.
+/// direction of the path), so d(pressure)/d(volume) is a quotient of two of them.
 struct Step {
     int stage = 0;           ///< index into model::PathSettings::stages
     double load_factor = 0;  ///< fraction of the stage's load increment that is applied

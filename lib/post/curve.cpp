@@ -217,9 +217,11 @@ std::string suffix_of(const std::string& unit) {
 /// The stiffness along the path, and the derivatives of the load at a fixed first output (sensitivity.hpp).
 void add_derivatives(std::vector<Entry>& entries, const model::Case& model, std::span<const Step> steps) {
     if (model.outputs.empty() || model.parameters.empty()) return;
-    // Where the slopes are unknown, at a bifurcation: linear between the neighbouring rows.
+    // Where the derivatives are unknown, at a bifurcation, all are 0: linear between the neighbouring rows.
     const auto between_known_rows = [steps](const Step& step, const auto& value) {
-        const auto is_known = [](const Step& row) { return row.tangent_pressure != 0 || row.tangent_outputs[0] != 0; };
+        const auto is_known = [](const Step& row) {
+            return std::ranges::any_of(row.derivatives, [](double D) { return D != 0; });
+        };
         if (is_known(step)) return value(step);
         std::size_t before = static_cast<std::size_t>(&step - steps.data()), after = before;
         while (before > 0 && !is_known(steps[before])) --before;
@@ -246,9 +248,7 @@ void add_derivatives(std::vector<Entry>& entries, const model::Case& model, std:
     };
     const auto stiffness = [](const Step& step) { return step.tangent_pressure / step.tangent_outputs[0]; };
     add("stiffness", std::string{per.suffix}, per.SI_per_unit, "slope of the load over the first output along the path",
-        [=](const Step& step) {
-            return step.tangent_outputs.empty() ? std::nullopt : Value(between_known_rows(step, stiffness));
-        });
+        [=](const Step& step) { return step.tangent_outputs.empty() ? std::nullopt : Value(stiffness(step)); });
     const std::size_t quantities = 1 + model.outputs.size();
     for (std::size_t i = 0; i < model.parameters.size(); ++i) {
         const model::DesignParameter& parameter = model.parameters[i];

@@ -145,6 +145,26 @@ std::string check_bifurcation(Corrector& corrector, const PathState& path, const
     return {};
 }
 
+/// The tangent at a bifurcation contains any multiple of the mode; that of the parabola with value and slope of the last row does not.
+void use_parabola(fem::System& system, const PathState& path, PathPoint& to) {
+    const PathPoint& from = *path.last;
+    const double span = to.q - from.q;
+    const auto slope = [span](double before, double after, double slope_before) {
+        return 2 * (after - before) / span - slope_before;
+    };
+    to.is_singular = true;
+    if (span == 0) return;
+    linalg::copy(to.state.x, to.tangent.x);
+    linalg::add(to.tangent.x, -1.0, from.state.x);
+    SOFT_PETSC(VecScale(to.tangent.x, 2.0 / span));
+    linalg::add(to.tangent.x, -1.0, from.tangent.x);
+    to.tangent.load_factor = slope(from.state.load_factor, to.state.load_factor, from.tangent.load_factor);
+    for (std::size_t k = 0; k < to.tangent.pressures.size(); ++k)
+        to.tangent.pressures[k] =
+            slope(from.state.pressures_Pa[k], to.state.pressures_Pa[k], from.tangent.pressures[k]);
+    read_values(system, *path.loads, &from, to);
+}
+
 /// Brackets the change of branch_index by bisection on its count. The secant on 1 / (b . M^-1 b), which vanishes with the
 /// eigenvalue (Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, 2000, 3.3), shortens the bracket as
 /// soon as b is close to the mode.
@@ -191,7 +211,7 @@ std::optional<Event> locate_bifurcation(Corrector& corrector, const PathState& p
     }
     if (mode) normalize_mode(corrector.system(), *mode);
     PathPoint found = std::move(bracket.left ? *bracket.left : *bracket.right);
-    found.is_singular = true;
+    use_parabola(corrector.system(), path, found);
     return Event{Event::Kind::bifurcation, std::move(found), 1, std::move(mode)};
 }
 

@@ -24,7 +24,7 @@ struct PathPoint {
     std::optional<double> step_work_J = {};     ///< of the loads since the point before, once it has been computed
     double lost_J = 0;                          ///< set free by a snap that leads to this point, of the modelled part
     std::optional<double> stored_J = {};    ///< energy of the rubber, of the modelled part, once it has been computed
-    bool is_singular = false;               ///< a bifurcation: the tangent is not unique
+    bool is_singular = false;               ///< a bifurcation: derivatives are not unique
     bool touches = false;                   ///< the actuator touches itself or an obstacle
     double leading = 0, leading_slope = 0;  ///< the load a curve shows (model::leading_load): [Pa], or the load factor
 };

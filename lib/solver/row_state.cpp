@@ -1,6 +1,5 @@
 #include "solver/row_state.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -127,13 +126,6 @@ model::Step step_of(const fem::System& system, const PathPoint& point, double di
     step.tangent_load_factor = direction * point.tangent.load_factor;
     step.tangent_pressure = direction * point.leading_slope;
     return step;
-}
-
-void forget_slopes(model::Step& step) {
-    step.tangent_load_factor = step.tangent_pressure = step.tangent_volume = 0;
-    for (auto* slopes : {&step.tangent_pressures, &step.tangent_volumes, &step.tangent_outputs, &step.derivatives})
-        std::ranges::fill(*slopes, 0.0);
-    if (step.energies && step.energies->tangent_J) step.energies->tangent_J = 0;
 }
 
 fem::StretchSummary read_stretches(fem::System& system, Vec x, model::Step& step) {

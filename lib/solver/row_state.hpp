@@ -49,8 +49,6 @@ void let_contact_rest(fem::System& system, const PathPoint& a, const PathPoint& 
 [[nodiscard]] double work_between(fem::System& system, const PathPoint& from, const PathPoint& to, FromTangent of_from);
 
 /// Fills the stretches of a state, and returns the energies of the modelled part with them. The motions prescribed are those of the state.
-/// Sets all slopes and derivatives of a row to 0: unknown. At a bifurcation they contain any multiple of the critical mode.
-void forget_slopes(model::Step& step);
 fem::StretchSummary read_stretches(fem::System& system, Vec x, model::Step& step);
 
 /// Stretches and energies of a point whose values have been read, its slopes times `direction` (1 or -1). Prescribes its motions.
