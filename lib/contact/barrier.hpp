@@ -4,7 +4,7 @@
 /// and its Taylor polynomial of second degree about continued h below. Newton's method passes through states in which walls overlap; there
 /// the polynomial acts as a linear spring. The gap is positive up to a contact pressure of 12.8 k.
 /// Source: Li et al., Incremental Potential Contact, ACM Trans. Graph. 39 (2020), eq. 6; the continuation: derived here.
-/// Tested by contact/potential_test.
+/// Tested by contact/distance_test.
 #include <cmath>
 
 namespace soft::contact {

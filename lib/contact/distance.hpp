@@ -1,7 +1,7 @@
 #pragma once
 /// Signed distance of a point from a smooth obstacle, positive on the actuator's side, with its first and second derivatives by the
 /// point. Undefined on the axis of a cylinder and in the centre of a sphere, where the derivatives are zero.
-/// Tested by contact/potential_test.
+/// Tested by contact/distance_test.
 #include <array>
 
 #include "model/obstacle.hpp"
