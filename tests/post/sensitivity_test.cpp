@@ -29,6 +29,15 @@ struct Spring {
             steps.push_back(step);
         }
     }
+
+    /// A modulus of 1 MPa: the load changes by `percent` per 1 %.
+    void add_modulus(double percent) {
+        model.parameters.push_back({"material.mu", "MPa", 1e6, 1e6, 0, 0});
+        for (model::Step& step : steps) {
+            step.derivatives.push_back(percent * step.pressure_Pa / 1e6);
+            step.derivatives.push_back(0);
+        }
+    }
 };
 
 TEST(Sensitivity, TableHasTheDerivativesAtAFixedOutputAndAtAFixedLoad) {
@@ -54,11 +63,7 @@ TEST(Sensitivity, TableHasTheDerivativesAtAFixedOutputAndAtAFixedLoad) {
 
 TEST(Sensitivity, BandOfTolerancesAddsSquaresOrSizes) {
     Spring spring;
-    spring.model.parameters.push_back({"material.mu", "MPa", 1e6, 1e6, 0, 0});
-    for (model::Step& step : spring.steps) {
-        step.derivatives.push_back(step.pressure_Pa / 1e6);
-        step.derivatives.push_back(0);
-    }
+    spring.add_modulus(1);
     Curve curve = make_curve(spring.model, spring.steps);
     const std::vector<std::string> texts{"geometry.wall=0.1mm", "material.mu=4%"};
     EXPECT_EQ(add_tolerance_band(curve, spring.model, parse_tolerances(texts, spring.model)), "material.mu");
@@ -71,11 +76,7 @@ TEST(Sensitivity, BandOfTolerancesAddsSquaresOrSizes) {
 
 TEST(Sensitivity, BandOfCorrelatedDeviationsHasTheirCovariance) {
     Spring spring;
-    spring.model.parameters.push_back({"material.mu", "MPa", 1e6, 1e6, 0, 0});
-    for (model::Step& step : spring.steps) {
-        step.derivatives.push_back(step.pressure_Pa / 1e6);
-        step.derivatives.push_back(0);
-    }
+    spring.add_modulus(1);
     // 8 kPa by the wall and 9.6 kPa by mu, with a correlation of -0.5; and 0.2 mm of another wall
     const double wall = 1e-4, mu = 4e4;
     Deviations deviations{{0, 1}, {wall * wall, -0.5 * wall * mu, -0.5 * wall * mu, mu * mu}};
@@ -106,11 +107,7 @@ TEST(Sensitivity, BandIsDrawnOverTheFirstOutputOnly) {
 
 TEST(Sensitivity, BarsAreSortedUpwardsByTheirSize) {
     Spring spring;
-    spring.model.parameters.push_back({"material.mu", "MPa", 1e6, 1e6, 0, 0});
-    for (model::Step& step : spring.steps) {  // -2 % per 1 %
-        step.derivatives.push_back(-2 * step.pressure_Pa / 1e6);
-        step.derivatives.push_back(0);
-    }
+    spring.add_modulus(-2);
     const std::string script =
         sensitivity_script(make_curve(spring.model, spring.steps), spring.model, PictureFormat::svg);
     EXPECT_NE(script.find("set ytics ('geometry.wall' 0, 'material.mu' 1)"), std::string::npos);
