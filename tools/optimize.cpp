@@ -31,7 +31,9 @@ const cli::About about{
     .examples = {{"optimize goal.yaml | mesh-gen | solve | postprocess > curve.csv",
                   "The curve of the design that reaches the goal"},
                  {"optimize goal.yaml --json report.json > found.yaml",
-                  "The design, and how well each condition is met"}},
+                  "The design, and how well each condition is met"},
+                 {"optimize measured.yaml --starts 6 --jobs 2 --folder trials > fitted.yaml",
+                  "Constants from measured curves, with their errors; --resume continues after an interruption"}},
     .libraries =
         [] {
             return std::vector<cli::Library>{{"PETSc", linalg::petsc_version()},

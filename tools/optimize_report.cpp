@@ -117,8 +117,7 @@ std::string progress_text(const optimize::Goal& goal, const optimize::Found& fou
 }
 
 std::vector<std::string> report_lines(const optimize::Goal& goal, const optimize::Found& found) {
-    const bool has_data = std::ranges::any_of(goal.conditions, &Condition::is_data);
-    const auto statistics = has_data ? optimize::statistics_of(goal, found) : std::nullopt;
+    const auto statistics = optimize::statistics_of(goal, found);
     std::vector<std::string> lines;
     for (std::size_t i = 0; i < goal.variables.size(); ++i) {
         const optimize::Variable& variable = goal.variables[i];
@@ -136,7 +135,7 @@ std::vector<std::string> report_lines(const optimize::Goal& goal, const optimize
     for (const CurveErrors& errors : curve_errors(goal, found.trial)) lines.push_back(curve_text(goal, errors));
     if (statistics)
         add_statistics(goal, *statistics, lines);
-    else if (has_data)
+    else if (goal.has_data())
         lines.emplace_back("no standard errors: a bound is active, or there are not more data than numbers");
     if (goal.stable) lines.emplace_back(found.trial.is_stable ? "stable" : "stable: not met");
     if (goal.minimize) {
@@ -171,8 +170,7 @@ nlohmann::ordered_json report_json(const optimize::Goal& goal, const optimize::F
                                   {"rms_SI", errors.rms_SI},
                                   {"largest_SI", errors.largest_SI},
                                   {"line_of_largest", errors.line}});
-    if (const auto statistics = optimize::statistics_of(goal, found);
-        statistics && std::ranges::any_of(goal.conditions, &Condition::is_data)) {
+    if (const auto statistics = optimize::statistics_of(goal, found)) {
         const std::size_t count = statistics->variables.size();
         for (std::size_t k = 0; k < count; ++k) {
             const std::string& key = goal.variables[statistics->variables[k]].key;

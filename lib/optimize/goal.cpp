@@ -340,8 +340,7 @@ Goal read_goal(std::string_view text, std::string_view source) {
         for (const design::Override& change : run.set)
             if (std::ranges::find(goal.variables, change.path, &Variable::key) != goal.variables.end())
                 refuse(change.location, "set." + change.path, "is varied too", "omit it here or under `vary`");
-    const bool has_data = !goal.curves.empty() || std::ranges::any_of(goal.conditions, &Condition::is_data);
-    if (has_data && goal.minimize)
+    if (goal.has_data() && goal.minimize)
         refuse(design::find(root, "minimize")->location, "minimize",
                "a goal with measured curves or priors minimizes the differences from them", "omit it");
     return goal;

@@ -17,6 +17,7 @@
 ///       - {stable: true}
 /// With a `prior` ({from: 50 kPa, to: 200 kPa, prior: 84 kPa, sd: 5 kPa}) a variable is a measured value too.
 /// Tested by optimize/goal_test.
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <string>
@@ -101,6 +102,11 @@ struct Goal {
     std::vector<MeasuredCurve> curves;
     std::optional<Measure> minimize;  ///< nullopt: nothing, then the differences from the targets
     bool stable = false;              ///< the states up to the last value of a target must be stable
+
+    /// Whether there are measured values to be approached.
+    [[nodiscard]] bool has_data() const {
+        return !curves.empty() || std::ranges::any_of(conditions, &Condition::is_data);
+    }
 };
 
 /// Throws Error (bad_input) with file, line, problem and remedy. Whole numbers are found by start_of.

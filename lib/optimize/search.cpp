@@ -80,9 +80,8 @@ void run_start(const Goal& goal, const std::vector<double>& first, const Starts&
 Found search(const Goal& goal, const std::vector<double>& first, int starts, const Evaluate& evaluate,
              const Progress& progress) {
     Record record(goal, evaluate, progress);
-    const bool has_data = std::ranges::any_of(goal.conditions, &Condition::is_data);
     const auto is_met = [&] {
-        return !goal.minimize && !has_data && record.best() != nullptr && record.best()->violation <= 0;
+        return !goal.minimize && !goal.has_data() && record.best() != nullptr && record.best()->violation <= 0;
     };
     for (int start = 0; start < starts && !is_met(); ++start)
         run_from(goal, record, start_point(goal, first, starts, start));

@@ -19,6 +19,7 @@ bool is_active(const Condition& condition, double value_SI) {
 }
 
 std::optional<Statistics> statistics_of(const Goal& goal, const Found& found) {
+    if (!goal.has_data()) return std::nullopt;
     Statistics result;
     std::vector<std::size_t> targets;
     for (std::size_t i = 0; i < goal.conditions.size(); ++i) {

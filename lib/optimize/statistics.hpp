@@ -29,7 +29,7 @@ struct Statistics {
     static constexpr double max_condition = 14;
 };
 
-/// nullopt unless there are more targets than variables to be determined, and where a bound among the conditions is active.
+/// nullopt for a goal without data, unless there are more targets than variables to be determined, and where a bound among the conditions is active.
 [[nodiscard]] std::optional<Statistics> statistics_of(const Goal& goal, const Found& found);
 
 /// Whether a bound is active: met with little to spare.
