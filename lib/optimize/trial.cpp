@@ -96,13 +96,14 @@ public:
         const std::size_t quantities = solved.model.outputs.size() + 2;  // load, outputs, stretch
         for (std::size_t k = 0; k < solved.cases.size(); ++k) {
             post::Column& column = curve_.columns.emplace_back();
-            for (std::size_t each = 0; each < solved.steps.size(); ++each) {
+            const auto derivative = [&](std::size_t row) {
                 // In a stage that does not change `at`: about the derivative at the start of the stage that does.
-                std::size_t row = each;
                 while (row + 1 < solved.steps.size() && slope_of(solved.steps[row], at.index) == 0) ++row;
                 const double* D = &solved.steps[row].derivatives[k * quantities];
-                column.values.push_back(D[quantity.index] - slope_ratio(solved, row, quantity, at) * D[at.index]);
-            }
+                return D[quantity.index] - slope_ratio(solved, row, quantity, at) * D[at.index];
+            };
+            for (std::size_t row = 0; row < solved.steps.size(); ++row)
+                column.values.push_back(post::with_derivatives(solved.steps, row, derivative));
         }
         path_.emplace(curve_);
     }

@@ -217,22 +217,6 @@ std::string suffix_of(const std::string& unit) {
 /// The stiffness along the path, and the derivatives of the load at a fixed first output (sensitivity.hpp).
 void add_derivatives(std::vector<Entry>& entries, const model::Case& model, std::span<const Step> steps) {
     if (model.outputs.empty() || model.parameters.empty()) return;
-    // Where the derivatives are unknown, at a bifurcation, all are 0: linear between the neighbouring rows.
-    const auto between_known_rows = [steps](const Step& step, const auto& value) {
-        const auto is_known = [](const Step& row) {
-            return std::ranges::any_of(row.derivatives, [](double D) { return D != 0; });
-        };
-        if (is_known(step)) return value(step);
-        std::size_t before = static_cast<std::size_t>(&step - steps.data()), after = before;
-        while (before > 0 && !is_known(steps[before])) --before;
-        while (after + 1 < steps.size() && !is_known(steps[after])) ++after;
-        if (!is_known(steps[before])) before = after;
-        if (!is_known(steps[after])) after = before;
-        if (!is_known(steps[before])) return 0.0;
-        const double from = steps[before].outputs[0], to = steps[after].outputs[0];
-        const double share = from == to ? 0 : std::clamp((step.outputs[0] - from) / (to - from), 0.0, 1.0);
-        return std::lerp(value(steps[before]), value(steps[after]), share);
-    };
     const Column load = leading_column(model);
     const Unit per = column_unit(model.outputs.front().measure);
     const auto add = [&](const std::string& quantity, const std::string& unit, double SI_per_unit, std::string meaning,
@@ -255,9 +239,10 @@ void add_derivatives(std::vector<Entry>& entries, const model::Case& model, std:
         add(load.quantity + "_by_" + parameter.key, parameter.unit, parameter.SI_per_unit,
             "derivative of the load by a number of the design at a fixed first output", [=](const Step& step) {
                 if (step.derivatives.size() < (i + 1) * quantities) return Value();
-                return Value(between_known_rows(step, [&](const Step& row) {
-                    const double* D = &row.derivatives[i * quantities];
-                    return D[1] == 0 ? D[0] : D[0] - stiffness(row) * D[1];
+                const auto row = static_cast<std::size_t>(&step - steps.data());
+                return Value(with_derivatives(steps, row, [&](std::size_t known) {
+                    const double* D = &steps[known].derivatives[i * quantities];
+                    return D[1] == 0 ? D[0] : D[0] - stiffness(steps[known]) * D[1];
                 }));
             });
     }
@@ -344,6 +329,21 @@ std::string Curve::coordinate_names() const {
     for (const Column& column : columns)
         if (column.role == Role::coordinate) names.append(names.empty() ? "" : ", ").append(column.quantity);
     return names;
+}
+
+double with_derivatives(std::span<const model::Step> steps, std::size_t row,
+                        const std::function<double(std::size_t)>& value) {
+    const auto has_none = [steps](std::size_t at) {
+        return std::ranges::all_of(steps[at].derivatives, [](double D) { return D == 0; });
+    };
+    std::size_t before = row, after = row;
+    while (before > 0 && has_none(before)) --before;
+    while (after + 1 < steps.size() && has_none(after)) ++after;
+    if (before == row) return value(row);
+    if (has_none(after)) return value(before);
+    const double from = steps[before].outputs[0], to = steps[after].outputs[0];
+    const double share = from == to ? 0 : std::clamp((steps[row].outputs[0] - from) / (to - from), 0.0, 1.0);
+    return std::lerp(value(before), value(after), share);
 }
 
 Curve make_curve(const model::Case& model, std::span<const model::Step> steps) {

@@ -12,6 +12,7 @@
 /// max_energy_density_kJ_m3, stiffness_kPa_per_mm and pressure_by_<number of the design> (sensitivity.hpp). Quantities that a case does not have (an output, a cavity volume) are omitted, never filled with zeros.
 /// Tested by post/curve_test.
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -79,6 +80,11 @@ struct Curve {
 /// `model` is the case as it was solved. Throws Error(bad_input) if a step does not have one value for each output (and for each load
 /// and cavity, if there are several), or if a volume or a time is recorded at some steps only.
 [[nodiscard]] Curve make_curve(const model::Case& model, std::span<const model::Step> steps);
+
+/// A value that depends on the derivatives of a row. A bifurcation has none, all are 0: linear between the rows before and after, by the
+/// first output. Row 0 has what it has.
+[[nodiscard]] double with_derivatives(std::span<const model::Step> steps, std::size_t row,
+                                      const std::function<double(std::size_t)>& value);
 
 /// All possible columns, each once, with name, unit and meaning but no rows. Names chosen in a design appear in angle brackets; outputs
 /// appear by their measure: <displacement>_mm.

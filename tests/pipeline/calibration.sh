@@ -66,6 +66,13 @@ runs 'optimize goal.yaml --starts 1 -q -o found.yaml --json two.json'
 claim "two tests give the constant" within "$(awk '$2 == "material.mu:" { print $3 }' found.yaml)" 0.19998 0.20002
 claim "rows beyond the range are left out" [ "$(json two.json curves 1 rows_left_out)" -gt 0 ]
 
+# At a bifurcation (39.64 mm) and beside it the load is proportional to mu.
+printf 'design: designs/rod.yaml\nset: {mesh.size: 10 mm, material.kappa: incompressible}\nvary: {material.mu: {from: 100 kPa, to: 400 kPa}}\n' >goal.yaml
+printf 'targets: [{pressure: -202 kPa, at: {elongation: 39.6 mm}}]\n' >>goal.yaml
+runs 'optimize goal.yaml --starts 1 -q -o found.yaml --json report.json'
+claim "its derivative is the load over mu" within "$(awk -v d="$(json report.json conditions 0 derivatives_SI material.mu)" -v p="$(json report.json conditions 0 value_SI)" \
+    -v m="$(json report.json values material.mu | awk '{ print $1 * 1e3 }')" 'BEGIN { print d * m / p }')" 0.99 1.01
+
 # Starts side by side, and a search that was killed, give the same bytes.
 twin bellows 2 --set mesh.quality=draft --set geometry.wall=2.7mm --set path.until.pressure=15kPa
 printf 'design: designs/bellows.yaml\nset: {mesh.quality: draft}\nvary: {geometry.wall: {from: 2 mm, to: 4 mm}}\ntargets: [{curve: twin.csv}]\n' >goal.yaml

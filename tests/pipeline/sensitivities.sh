@@ -58,6 +58,7 @@ column pressure_kPa rod.csv >found
 for exact in -162.2642 -176.9644 -196.8257; do
     read -r pressure; claim "beside it the curve is exact" within "$(ratio "$pressure" "$exact")" 0.9999 1.0001
 done <found
+claim "without load there is no derivative" [ "$(postprocess -q rod.h5 --sensitivity | awk -F, '$1 == 0 && $4 == "material.mu" { print $7 }')" = 0 ]
 runs 'postprocess -q rod.h5 --tolerances geometry.width=0.5mm --at elongation=39mm -o rod.csv'
 claim "and the width has no influence there" within "$(column band_rss_pressure_kPa rod.csv)" 0 1e-3
 
