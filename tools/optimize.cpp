@@ -1,5 +1,7 @@
 /// optimize: a goal (YAML) -> the design (YAML) that reaches it.
 ///     optimize goal.yaml | mesh-gen | solve | postprocess > curve.csv
+#include <omp.h>
+
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
@@ -155,6 +157,7 @@ public:
         if (jobs > 1) {
             run_side_by_side(jobs, [&](int job) {
                 const linalg::Session session{{}};
+                omp_set_num_threads(1);
                 for (int start = job; start < starts; start += jobs)
                     optimize::run_start(goal_, first_, {starts, start}, evaluate(),
                                         progress("start " + std::to_string(start + 1) + ", "));

@@ -2,6 +2,7 @@
 ///     int P : grad(du) dV = pressure x (change of enclosed volume),   int dp (Theta(J) - p/kappa) dV = 0.
 ///     mesh-gen designs/bellows.yaml | solve | postprocess > curve.csv
 ///     mpirun -n 2 solve case.h5 -o result.h5 -- -mat_mumps_icntl_14 120
+#include <omp.h>
 #include <unistd.h>
 
 #include <array>
@@ -26,6 +27,7 @@ ExitCode solve_one(const SolveOptions& options) {
     if (options.resume.empty()) check_output(options.common.output, Content::binary);
     const linalg::Session session{options.petsc};
     if (options.profile) linalg::start_profile();
+    if (options.cores > 0) omp_set_num_threads(options.cores);
     return run_on_all_ranks(session.rank(), session.size(), [&] { return run_solve(options, session); });
 }
 
@@ -50,6 +52,7 @@ bool read_line(std::string& line) {
 ExitCode solve_batch(const SolveOptions& batch) {
     const linalg::Session session{batch.petsc};
     if (session.size() > 1) throw Error(ExitCode::usage, "--batch", "runs on one rank only", "omit mpirun");
+    omp_set_num_threads(1);  // many batches run side by side
     ExitCode first = ExitCode::ok;
     ProcessTimes before;  // the first line includes the start-up time
     for (std::string line; read_line(line);) {

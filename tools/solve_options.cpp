@@ -80,6 +80,9 @@ std::optional<SolveOptions> parse_solve_options(int argc, char** argv) {
            "(0.1% or 0.001); write the error bars")
         ->type_name("PART");
     app.add_option("--resume", options.resume, "Continue an interrupted `solve -o FILE`; omit CASE")->type_name("FILE");
+    app.add_option("--cores", options.cores, "Cores to use; the results do not depend on it (default: all)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 256));
     app.add_flag("--profile", options.profile, "Print the time of each phase and the peak memory");
     app.add_flag(
         "--batch", options.batch,

@@ -15,6 +15,7 @@ struct SolveOptions {
     std::string resume;  ///< file of an interrupted solve; excludes `input`
     std::string fields = "all";
     std::optional<double> tolerance;  ///< relative tolerance on the error bars of the load
+    int cores = 0;                    ///< 0: all
     bool profile = false;             ///< print the time of each phase
     bool batch = false;               ///< read command lines from stdin
     std::vector<std::string> petsc;   ///< PETSc options, after --

@@ -43,7 +43,7 @@ Settings<Solver> linear_settings() {
                 {"cholmod", LinearMethod::cholmod},
                 {"krylov", LinearMethod::krylov},
                 {"jacobian-free", LinearMethod::jacobian_free}},
-               "solver of the linear systems; auto is mumps-ldlt, mumps-lu where the tangent is not symmetric, and "
+               "solver of the linear systems; auto is LDL^T, mumps-lu where the tangent is not symmetric, and "
                "krylov with multigrid for solids of more than 500,000 unknowns"),
         choice("preconditioner", &Linear::preconditioner,
                {{"lu", Preconditioner::lu},
@@ -62,8 +62,9 @@ Settings<Solver> linear_settings() {
             "linear_limit", &Linear::iteration_limit, {1, 1e5},
             "maximum number of iterations of krylov and jacobian-free, which then return their best correction so far")};
     for (const Setting<Linear>& setting : linear) settings.push_back(inside(&Solver::linear, setting));
-    settings.push_back(count("threads", &Solver::threads, {1, 256},
-                             "threads per rank in the loops over the elements; the results do not depend on it"));
+    settings.push_back(count("threads", &Solver::threads, {0, 256},
+                             "threads of element loops and factorisations; 0: all cores, one on several ranks or in a "
+                             "batch; the results do not depend on it"));
     return settings;
 }
 

@@ -4,11 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "linalg/multifrontal.hpp"
 #include "linalg/mumps.hpp"
 #include "linalg/preconditioner.hpp"
 #include "linalg/profile.hpp"
-#include "linalg/sparse_ldlt.hpp"
 #include "linalg/substructures.hpp"
+#include "math/threads.hpp"
 
 namespace soft::linalg {
 
@@ -22,12 +23,12 @@ int restart_of(const LinearSettings& settings) {
     return std::min(settings.iteration_limit, large ? max_multigrid_restart : max_restart);
 }
 
-/// A factor that needs more iterations approximates K too poorly. A CHOLMOD factorisation costs little more than an iteration. A MUMPS
-/// LU costs a quarter more than LDL^T, as much as four or five iterations, and does not give the inertia.
-constexpr int max_iterations_of_small_factors = 6, max_iterations_of_ldlt = 4;
+/// A factor that needs more iterations approximates K too poorly. MUMPS's LDL^T takes twice as long as that without pivoting, and its
+/// LU a quarter more than LDL^T, as much as four or five iterations, and does not give the inertia.
+constexpr int max_iterations_without_pivoting = 6, max_iterations_of_ldlt = 4;
 
-/// Above this MUMPS's dense blocks are faster than CHOLMOD's columns (a 2D section of 70,000 unknowns; a solid of 4,000).
-constexpr double small_flops = 1e8;
+/// On several ranks, above this a distributed factorisation is faster than that of the whole matrix on each rank.
+constexpr double flops_of_each_rank = 1e8;
 
 PetscErrorCode apply_factors(PC pc, Vec b, Vec x) {
     void* context = nullptr;
@@ -39,7 +40,8 @@ PetscErrorCode apply_factors(PC pc, Vec b, Vec x) {
 
 }  // namespace
 
-LinearSolver::LinearSolver(Mat K, Symmetry symmetry, const LinearSettings& settings) : K_(K), settings_(settings) {
+LinearSolver::LinearSolver(Mat K, Symmetry symmetry, const LinearSettings& settings, int threads)
+    : K_(K), settings_(settings), threads_(thread_count(threads)) {
     SOFT_PETSC(KSPCreate(PetscObjectComm(reinterpret_cast<PetscObject>(K)), ksp_.out()));
     SOFT_PETSC(KSPSetType(ksp_, KSPFGMRES));
     SOFT_PETSC(KSPGMRESSetRestart(ksp_, restart_of(settings)));
@@ -48,7 +50,7 @@ LinearSolver::LinearSolver(Mat K, Symmetry symmetry, const LinearSettings& setti
     if (settings.method != LinearMethod::automatic)
         set_type(pc, settings, symmetry);
     else
-        use_factorization(symmetry == Symmetry::symmetric ? Choice::small_ldlt : Choice::lu);
+        use_factorization(symmetry == Symmetry::symmetric ? Choice::multifrontal : Choice::lu);
     SOFT_PETSC(KSPSetFromOptions(ksp_));
     set_operators();
 }
@@ -67,9 +69,9 @@ void LinearSolver::use_factorization(Choice choice) {
     const PC pc = preconditioner();
     own_.reset();
     choice_ = choice;
-    const char* name = "LDL^T without pivoting, CHOLMOD";
-    if (choice == Choice::small_ldlt) {
-        if (chosen == PETSC_FALSE) try_small_factors();
+    const char* name = "LDL^T without pivoting, multifrontal";
+    if (choice == Choice::multifrontal) {
+        if (chosen == PETSC_FALSE) try_multifrontal();
         if (!own_) return use_factorization(Choice::ldlt);
     } else if (chosen == PETSC_FALSE) {
         const ScopedTimer timed(Phase::ordering);
@@ -87,17 +89,21 @@ void LinearSolver::use_factorization(Choice choice) {
     SOFT_PETSC(PCShellSetName(pc, name));
 }
 
-void LinearSolver::try_small_factors() {
-    // The factor has at least as many entries as the triangle of K; with n columns the flops are at least entries^2 / n.
-    PetscInt unknowns = 0;
-    MatInfo entries;
-    SOFT_PETSC(MatGetSize(K_, &unknowns, nullptr));
-    SOFT_PETSC(MatGetInfo(K_, MAT_GLOBAL_SUM, &entries));
-    const double n = unknowns, triangle = (entries.nz_used + n) / 2.0;
-    if (triangle * triangle / n > small_flops) return;
+void LinearSolver::try_multifrontal() {
+    int ranks = 1;
+    MPI_Comm_size(PetscObjectComm(reinterpret_cast<PetscObject>(K_)), &ranks);
+    if (ranks > 1) {
+        // The factor has at least as many entries as the triangle of K; with n columns the flops are at least entries^2 / n.
+        PetscInt unknowns = 0;
+        MatInfo entries;
+        SOFT_PETSC(MatGetSize(K_, &unknowns, nullptr));
+        SOFT_PETSC(MatGetInfo(K_, MAT_GLOBAL_SUM, &entries));
+        const double n = unknowns, triangle = (entries.nz_used + n) / 2.0;
+        if (triangle * triangle / n > flops_of_each_rank) return;
+    }
     const ScopedTimer timed(Phase::ordering);
-    auto small = std::make_unique<SparseLdlt>(K_);
-    if (small->flops() <= small_flops) own_ = std::move(small);
+    auto factors = std::make_unique<Multifrontal>(K_, threads_);
+    if (ranks == 1 || factors->flops() <= flops_of_each_rank) own_ = std::move(factors);
 }
 
 PC LinearSolver::preconditioner() const {
@@ -145,7 +151,7 @@ Factorization LinearSolver::factorize() {
         if (own_->factorize(K_)) return {true, own_->negative_pivots(), own_->determinant_is_negative()};
     }
     if (has_own_factors()) {
-        if (choice_ != Choice::small_ldlt) return {};
+        if (choice_ != Choice::multifrontal) return {};
         use_factorization(Choice::ldlt);
         SOFT_PETSC(PCSetFromOptions(pc));
         return factorize();
@@ -200,16 +206,17 @@ std::optional<bool> LinearSolver::determinant_is_negative() {
     return mantissa < 0.0;
 }
 
-LinearSolve LinearSolver::solve(Vec b, Vec x, Factor factor) {
-    LinearSolve result = solve_once(b, x);
+LinearSolve LinearSolver::solve(Vec b, Vec x, Factor factor, double tolerance) {
+    LinearSolve result = solve_once(b, x, tolerance);
     if (settings_.method != LinearMethod::automatic || factor == Factor::stale) return result;
     const auto is_poor = [&] {
-        return choice_ == Choice::small_ldlt ? result.iterations > max_iterations_of_small_factors || !result.converged
-                                             : result.iterations > max_iterations_of_ldlt;
+        return choice_ == Choice::multifrontal
+                   ? result.iterations > max_iterations_without_pivoting || !result.converged
+                   : result.iterations > max_iterations_of_ldlt;
     };
     while (is_poor() && use_next_factorization()) {
         if (!factorize().succeeded) return {};
-        result = solve_once(b, x);
+        result = solve_once(b, x, tolerance);
     }
     return result;
 }
@@ -218,19 +225,9 @@ bool LinearSolver::use_next_factorization() {
     const PC pc = preconditioner();
     const bool is_user_selected = !own_ && !is_type(pc, PCCHOLESKY);  // by -pc_type
     if (choice_ == Choice::lu || is_user_selected) return false;
-    use_factorization(choice_ == Choice::small_ldlt ? Choice::ldlt : Choice::lu);
+    use_factorization(choice_ == Choice::multifrontal ? Choice::ldlt : Choice::lu);
     SOFT_PETSC(PCSetFromOptions(pc));
     return true;
-}
-
-LinearSolve LinearSolver::solve_to_tolerance(Vec b, Vec x, double tolerance) {
-    PetscReal usual = 0;
-    SOFT_PETSC(KSPGetTolerances(ksp_, &usual, nullptr, nullptr, nullptr));
-    SOFT_PETSC(
-        KSPSetTolerances(ksp_, std::max<PetscReal>(tolerance, usual), PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
-    const LinearSolve result = solve_once(b, x);
-    SOFT_PETSC(KSPSetTolerances(ksp_, usual, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
-    return result;
 }
 
 LinearSolve LinearSolver::improve(Vec b, Vec x) {
@@ -240,8 +237,14 @@ LinearSolve LinearSolver::improve(Vec b, Vec x) {
     return result;
 }
 
-LinearSolve LinearSolver::solve_once(Vec b, Vec x) {
-    if (is_numerical_failure(KSPSolve(ksp_, b, x), "KSPSolve")) return {};
+LinearSolve LinearSolver::solve_once(Vec b, Vec x, double tolerance) {
+    PetscReal usual = 0;
+    SOFT_PETSC(KSPGetTolerances(ksp_, &usual, nullptr, nullptr, nullptr));
+    SOFT_PETSC(
+        KSPSetTolerances(ksp_, std::max<PetscReal>(tolerance, usual), PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+    const PetscErrorCode code = KSPSolve(ksp_, b, x);
+    SOFT_PETSC(KSPSetTolerances(ksp_, usual, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+    if (is_numerical_failure(code, "KSPSolve")) return {};
     KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
     PetscInt iterations = 0;
     SOFT_PETSC(KSPGetConvergedReason(ksp_, &reason));

@@ -1,12 +1,12 @@
 #pragma once
 /// Solves K x = b for a sequence of slowly changing tangents K by flexible GMRES (Saad 1993). The preconditioner is built from one of
 /// these tangents: a direct factorisation or a cheaper preconditioner (LinearSettings).
-///   automatic: LDL^T without pivoting (sparse_ldlt.hpp) if it needs few flops, otherwise LDL^T by MUMPS. The solver switches
-///       permanently to MUMPS when the first factorisation fails or needs many iterations. MUMPS runs as one distributed instance on
-///       one rank or on very many, otherwise as one instance per rank (substructures.hpp). With a fresh factor of a symmetric K the
-///       loop takes one iteration. The same loop corrects the unsymmetric part of K (a follower pressure on a surface with a free
-///       edge), which LDL^T ignores. If that part is large, the loop needs many iterations and the solver switches permanently to
-///       LU. If the caller declares K unsymmetric, the solver starts with LU.
+///   automatic: LDL^T without pivoting (multifrontal.hpp); on several ranks only if it needs few flops, because each rank factorises
+///       the whole matrix. The solver switches permanently to LDL^T by MUMPS when a factorisation fails or needs many iterations.
+///       MUMPS runs as one distributed instance on one rank or on very many, otherwise as one instance per rank (substructures.hpp).
+///       With a fresh factor of a symmetric K the loop takes one or two iterations. The same loop corrects the unsymmetric part of K
+///       (a follower pressure on a surface with a free edge), which LDL^T ignores. If that part is large, the loop needs many
+///       iterations and the solver switches permanently to LU. If the caller declares K unsymmetric, the solver starts with LU.
 ///   mumps_ldlt, mumps_lu, superlu_dist, cholmod: this factorisation, however many iterations it needs. CHOLMOD's LL^T fails
 ///       (reported as a value) if K is not positive definite: beyond a limit point, and for any K with pressure unknowns.
 ///   krylov: the preconditioner of the settings; jacobian_free: the same, with an operator provided by the caller.
@@ -41,8 +41,10 @@ enum class Factor { fresh, stale };
 class LinearSolver {
 public:
     /// PETSc options (-ksp_*, -pc_*, -mat_mumps_*) override the defaults. Throws Error (bad_input) for a library that PETSc was built
-    /// without, and for CHOLMOD on several ranks.
-    explicit LinearSolver(Mat K, Symmetry symmetry = Symmetry::symmetric, const LinearSettings& settings = {});
+    /// without, and for CHOLMOD on several ranks. `threads` (math/threads.hpp) are used by factorisations of method
+    /// automatic; the results do not depend on their number.
+    explicit LinearSolver(Mat K, Symmetry symmetry = Symmetry::symmetric, const LinearSettings& settings = {},
+                          int threads = 0);
 
     /// Required by Preconditioner::multigrid, before the first factorize().
     void set_levels(ElementLevels levels);
@@ -62,12 +64,10 @@ public:
     /// from that of K.
     [[nodiscard]] std::optional<bool> determinant_is_negative();
 
-    /// Solves with the current K and the last factor. `x` is overwritten. Method automatic switches to LU only if a fresh LDL^T factor
-    /// needs many iterations.
-    [[nodiscard]] LinearSolve solve(Vec b, Vec x, Factor factor = Factor::fresh);
-
-    /// The same with a stale factor; stops at a residual of `tolerance` times the norm of the right-hand side.
-    [[nodiscard]] LinearSolve solve_to_tolerance(Vec b, Vec x, double tolerance);
+    /// Solves with the current K and the last factor. `x` is overwritten. Stops at a residual of `tolerance`, at least that of the
+    /// settings, times the norm of the right-hand side. Method automatic switches to LU only if a fresh LDL^T factor needs many
+    /// iterations.
+    [[nodiscard]] LinearSolve solve(Vec b, Vec x, Factor factor = Factor::fresh, double tolerance = 0.0);
 
     /// Continues from x after a Krylov solve has reached its iteration limit, with the same limit again.
     [[nodiscard]] LinearSolve improve(Vec b, Vec x);
@@ -86,19 +86,20 @@ private:
     void set_operators();
     [[nodiscard]] PetscErrorCode set_up();
     /// The factorisations that method automatic tries, in this order.
-    enum class Choice { small_ldlt, ldlt, lu };
+    enum class Choice { multifrontal, ldlt, lu };
     void use_factorization(Choice choice);
-    void try_small_factors();
+    void try_multifrontal();
     /// Returns false if no other factorisation is left to try.
     [[nodiscard]] bool use_next_factorization();
     [[nodiscard]] bool has_own_factors() const;
     [[nodiscard]] PC preconditioner() const;
-    [[nodiscard]] LinearSolve solve_once(Vec b, Vec x);
+    [[nodiscard]] LinearSolve solve_once(Vec b, Vec x, double tolerance = 0.0);
     /// Returns true for a numerical failure; throws for any other error code.
     [[nodiscard]] bool is_numerical_failure(PetscErrorCode code, const char* call) const;
 
     Mat K_, operator_ = nullptr;
     LinearSettings settings_;
+    int threads_;
     Choice choice_ = Choice::lu;    // of method automatic
     std::vector<PetscInt> order_;   // elimination order of the substructures
     std::unique_ptr<Factors> own_;  // used by the preconditioner of ksp_, which is destroyed first

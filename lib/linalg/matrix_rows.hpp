@@ -1,6 +1,6 @@
 #pragma once
 /// The rows of a sequential AIJ matrix as PETSc stores them, not owned. Internal to the module.
-/// Tested by linalg/block_entries_test and linalg/sparse_ldlt_test.
+/// Tested by linalg/block_entries_test and linalg/multifrontal_test.
 #include "linalg/petsc.hpp"
 
 namespace soft::linalg {

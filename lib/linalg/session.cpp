@@ -1,6 +1,7 @@
 #include "linalg/session.hpp"
 
 #include <dlfcn.h>
+#include <omp.h>
 #include <petscksp.h>
 #include <unistd.h>
 
@@ -86,6 +87,7 @@ Session::Session(const std::vector<std::string>& options) {
     SOFT_PETSC(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
     MPI_Comm_rank(PETSC_COMM_WORLD, &rank_);
     MPI_Comm_size(PETSC_COMM_WORLD, &size_);
+    if (size_ > 1 && std::getenv("OMP_NUM_THREADS") == nullptr) omp_set_num_threads(1);
 }
 
 Session::~Session() {

@@ -4,8 +4,8 @@
 namespace soft {
 
 /// Solution of the linear systems in Newton's method.
-///   automatic: LDL^T by CHOLMOD if the factorisation is cheap, else by MUMPS; LU if the tangent is not symmetric enough
-///       (linalg/linear_solver.hpp); krylov with multigrid if a solid is too large to factorise (fem/element_levels.hpp)
+///   automatic: LDL^T; LU if the tangent is not symmetric enough (linalg/linear_solver.hpp); krylov with multigrid if a solid is too
+///       large to factorise (fem/element_levels.hpp)
 ///   mumps_ldlt, mumps_lu, superlu_dist, cholmod: that factorisation; cholmod requires a positive definite tangent and one rank
 ///   krylov: flexible GMRES on the assembled tangent         jacobian_free: flexible GMRES on finite differences of the residual
 enum class LinearMethod { automatic, mumps_ldlt, mumps_lu, superlu_dist, cholmod, krylov, jacobian_free };

@@ -33,7 +33,7 @@ struct SolverSettings {
     int newton_limit = 16;  ///< maximum iterations per step
     LinearSettings linear;
     bool scaling = true;  ///< pressure unknowns are scaled to displacements (fem/dof_map.hpp); false: in Pa
-    int threads = 1;      ///< threads per rank in the element loops; the order of summation does not depend on it
+    int threads = 0;      ///< threads per rank, 0: math/threads.hpp; the order of summation does not depend on it
     StepRule steps = StepRule::error_adaptive;
     Predictor predictor = Predictor::cubic;
     double first_step = 0.02;  ///< first step as a fraction of the full load, in the linear response

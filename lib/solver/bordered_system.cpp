@@ -28,7 +28,7 @@ BorderedSystem::BorderedSystem(fem::System& fem_system, const model::SolverSetti
     : system(fem_system),
       settings(with_choice(fem_system, given)),
       K(fem_system.make_matrix()),
-      linear(K, symmetry_of(fem_system), settings.linear),
+      linear(K, symmetry_of(fem_system), settings.linear, settings.threads),
       R(fem_system.make_vector()) {
     const bool matrix_free = settings.linear.method == model::LinearMethod::jacobian_free;
     fem::configure_preconditioner(linear, system, K);

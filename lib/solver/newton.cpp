@@ -16,6 +16,8 @@ constexpr double little_left = 0.05;
 /// Fraction of the required residual that the linear solves may leave.
 constexpr double share_of_linear_solves = 0.1;
 constexpr double loosest_linear_tolerance = 1e-2;
+/// With a new factor; one iteration reaches it. Newton's method corrects the rest.
+constexpr double tolerance_with_new_factor = 1e-5;
 /// With more iterations than this a new factor is cheaper.
 constexpr int many_iterations_for_a_kept_factor = 6;
 /// The first correction after a predictor may raise the residual of a nearly incompressible solid before it falls.
@@ -157,10 +159,10 @@ bool Newton::is_rounding(const State& state, const Correction& now) {
     return now.residual <= rounding_margin * bordered_.change_by_digits(state, levels);
 }
 
-linalg::LinearSolve Newton::solve_updated(Vec b, Vec x) {
+linalg::LinearSolve Newton::solve_updated(Vec b, Vec x, double tolerance) {
     linalg::LinearSolve last;
     const bool usable = updates_.apply(b, x, [&](Vec q, Vec r) {
-        last = bordered_.linear.solve(q, r);
+        last = bordered_.linear.solve(q, r, linalg::Factor::fresh, tolerance);
         linear_limit_met_ = linear_limit_met_ || last.at_limit;
         return last.usable();
     });
@@ -178,7 +180,9 @@ std::optional<NewtonEnd> Newton::solve_blocks(const State& state, const Correcti
         residual_at_factor_ = now.residual;
     }
     SOFT_PETSC(VecScale(bordered_.R, -1.0));
-    if (!solve_all(now, [this](Vec b, Vec x) { return solve_updated(b, x); })) return bordered_.solve_failure();
+    const bool new_factor = full && bordered_.linear.is_direct();
+    const double tolerance = new_factor ? tolerance_with_new_factor : 0.0;
+    if (!solve_all(now, [&](Vec b, Vec x) { return solve_updated(b, x, tolerance); })) return bordered_.solve_failure();
     return std::nullopt;
 }
 
@@ -196,7 +200,7 @@ bool Newton::solve_with_kept_factor(const Correction& now) {
     const double tolerance = std::min(enough, loosest_linear_tolerance);
     SOFT_PETSC(VecScale(bordered_.R, -1.0));
     const bool served = solve_all(now, [&](Vec b, Vec x) {
-        const auto solve = bordered_.linear.solve_to_tolerance(b, x, tolerance);
+        const auto solve = bordered_.linear.solve(b, x, linalg::Factor::stale, tolerance);
         return solve.iterations <= many_iterations_for_a_kept_factor ? solve : linalg::LinearSolve{};
     });
     if (!served) SOFT_PETSC(VecScale(bordered_.R, -1.0));

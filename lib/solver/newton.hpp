@@ -122,7 +122,7 @@ private:
     [[nodiscard]] std::optional<Increment> increment(const Correction& now);
     [[nodiscard]] Search move(const Increment& step, const State& state, State& trial, Correction& now);
     void add_secant_pair(double length);
-    [[nodiscard]] linalg::LinearSolve solve_updated(Vec b, Vec x);
+    [[nodiscard]] linalg::LinearSolve solve_updated(Vec b, Vec x, double tolerance);
 
     // newton_tangent.cpp
     /// Solves for the columns at the state of the last evaluation, with the last factor or, if that is not accurate enough, a new one.

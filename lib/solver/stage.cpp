@@ -33,7 +33,8 @@ StageSolver::StageSolver(MotionEquations& equations)
       J_(equations.system().make_matrix()),
       solver_(J_, symmetry_of(equations.system()),
               with_a_matrix(
-                  fem::choose_linear(settings_.linear, equations.system().input(), equations.system().dofs().total))),
+                  fem::choose_linear(settings_.linear, equations.system().input(), equations.system().dofs().total)),
+              settings_.threads),
       r_(equations.system().make_vector()),
       dx_(equations.system().make_vector()),
       inertia_(equations.system().make_vector()),

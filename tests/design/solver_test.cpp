@@ -76,7 +76,7 @@ TEST(Solver, ReadsNumbers) {
 TEST(Solver, RejectsValuesOutOfRangeAndUnknownChoices) {
     const std::vector<std::pair<std::string, std::string>> bad{{"newton_limit: 0", "at least 1"},
                                                                {"threads: 257", "at most 256"},
-                                                               {"threads: 0", "at least 1"},
+                                                               {"threads: -1", "at least 0"},
                                                                {"linear_tolerance: 0.6", "at most 0.5"},
                                                                {"linear_limit: 200000", "at most"},
                                                                {"wanted_iterations: 101", "at most 100"},

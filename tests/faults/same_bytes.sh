@@ -3,7 +3,7 @@
 # The same case gives a byte-identical result file.   same_bytes.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 unset OMP_NUM_THREADS OPENBLAS_NUM_THREADS
-# An axisymmetric section past its limit point (CHOLMOD), a solid (MUMPS), and a motion in time.
+# An axisymmetric section past its limit point, a solid large enough for several threads, and a motion in time.
 runs 'mesh-gen -q designs/tube.yaml --set path.until.steps=16 -o section.h5'
 runs 'mesh-gen -q designs/tube.yaml --set model=quarter --set mesh.size=5mm --set mesh.through_wall=2 --set path.until.steps=3 -o solid.h5'
 runs 'mesh-gen -q designs/bellows-inflation.yaml --set mesh.size=4mm --set dynamics.duration=0.01s -o motion.h5'
@@ -21,6 +21,7 @@ for case in section solid motion; do
     same 'at fixed addresses (no ASLR)' $case "setarch -R $solve"
     same 'with two other busy processes' $case "for i in 1 2; do (while :; do :; done) & done; $solve; code=\$?; kill %1 %2; exit \$code"
     same 'with three threads set in the environment' $case "OMP_NUM_THREADS=3 OPENBLAS_NUM_THREADS=3 $solve"
+    same 'with one core' $case "$solve --cores 1"
     same 'with another locale and time zone in an otherwise empty environment' $case "env -i PATH=\"\$PATH\" $kernel TZ=Pacific/Chatham LC_ALL=de_DE.UTF-8 $solve"
 done
 echo '-ksp_rtol 1e-1' >.petscrc

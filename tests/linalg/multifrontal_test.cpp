@@ -1,5 +1,5 @@
 // Reference: LAPACK. Solutions from dense LU, signatures from dense eigenvalues.
-#include "linalg/sparse_ldlt.hpp"
+#include "linalg/multifrontal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ SmallMatrix saddle_point(int stiff, int pressures, double compliance, double wea
     return A;
 }
 
-double error_of_solve(SparseLdlt& factor, const SmallMatrix& A) {
+double error_of_solve(Multifrontal& factor, const SmallMatrix& A) {
     const auto K = sparse(A);
     Vector b, x;
     SOFT_PETSC(MatCreateVecs(K, x.out(), b.out()));
@@ -50,62 +50,120 @@ double error_of_solve(SparseLdlt& factor, const SmallMatrix& A) {
     return error / size;
 }
 
-TEST(SparseLdlt, SolvesASaddlePointAndCountsItsNegativeEigenvalues) {
+TEST(Multifrontal, SolvesASaddlePointAndCountsItsNegativeEigenvalues) {
     const auto A = saddle_point(12, 4, 0.01, 5.0);
-    SparseLdlt factor(sparse(A));
+    Multifrontal factor(sparse(A));
     ASSERT_TRUE(factor.factorize(sparse(A)));
     EXPECT_LT(error_of_solve(factor, A), 1e-13);
     EXPECT_EQ(factor.negative_pivots(), 4);
     EXPECT_EQ(factor.negative_pivots(), negative_eigenvalues(A));
 }
 
-TEST(SparseLdlt, PressuresWithoutCompliancePerturbTheSolutionByNoMoreThanTheBound) {
+TEST(Multifrontal, PressuresWithoutCompliancePerturbTheSolutionByNoMoreThanTheBound) {
     const auto A = saddle_point(12, 4, 0.0, 5.0);
-    SparseLdlt factor(sparse(A));
+    Multifrontal factor(sparse(A));
     ASSERT_TRUE(factor.factorize(sparse(A)));
     EXPECT_LT(error_of_solve(factor, A), 1e-5);  // of the order of the bound, 1e-6
     EXPECT_EQ(factor.negative_pivots(), 4);
 }
 
-TEST(SparseLdlt, CountsNegativeEigenvaluesOfAnUnstableState) {
+TEST(Multifrontal, CountsNegativeEigenvaluesOfAnUnstableState) {
     const auto A = saddle_point(12, 2, 0.01, -9.0);
-    SparseLdlt factor(sparse(A));
+    Multifrontal factor(sparse(A));
     ASSERT_TRUE(factor.factorize(sparse(A)));
     EXPECT_GT(negative_eigenvalues(A), 2);
     EXPECT_EQ(factor.negative_pivots(), negative_eigenvalues(A));
     EXPECT_LT(error_of_solve(factor, A), 1e-12);
 }
 
-TEST(SparseLdlt, FactorisesNewValuesWithTheSamePattern) {
+TEST(Multifrontal, FactorisesNewValuesWithTheSamePattern) {
     const auto first = saddle_point(9, 3, 0.02, 6.0), second = saddle_point(9, 3, 0.5, 2.0);
-    SparseLdlt factor(sparse(first));
+    Multifrontal factor(sparse(first));
     ASSERT_TRUE(factor.factorize(sparse(first)));
     ASSERT_TRUE(factor.factorize(sparse(second)));
     EXPECT_LT(error_of_solve(factor, second), 1e-13);
 }
 
-TEST(SparseLdlt, ReadsOnlyTheUpperTriangle) {
+TEST(Multifrontal, ReadsOnlyTheUpperTriangle) {
     const auto A = saddle_point(6, 2, 0.1, 5.0);
     auto other_below = A;
     for (int i = 0; i < A.size; ++i)
         for (int j = 0; j < i; ++j) other_below.at(i, j) = 100.0 + i;
-    SparseLdlt factor(sparse(A));
+    Multifrontal factor(sparse(A));
     ASSERT_TRUE(factor.factorize(sparse(other_below)));
     EXPECT_LT(error_of_solve(factor, A), 1e-13);
 }
 
-TEST(SparseLdlt, FailsForAMatrixWithoutPivots) {
+TEST(Multifrontal, FailsForAMatrixWithoutPivots) {
     SmallMatrix A(2);
     A.at(0, 1) = A.at(1, 0) = 1.0;  // both diagonals are zero, so there is no scale for a replacement
-    SparseLdlt factor(sparse(A));
+    Multifrontal factor(sparse(A));
     EXPECT_FALSE(factor.factorize(sparse(A)));
 }
 
-TEST(SparseLdlt, ReportsTheFlopsOfAFactorisation) {
+TEST(Multifrontal, ReportsTheFlopsOfAFactorisation) {
     SmallMatrix A(10);
     for (int i = 0; i < 10; ++i)
         for (int j = 0; j < 10; ++j) A.at(i, j) = i == j ? 10.0 : 1.0;
-    EXPECT_NEAR(SparseLdlt(sparse(A)).flops(), 385.0, 1e-9);  // dense: sum of the squared column lengths
+    EXPECT_NEAR(Multifrontal(sparse(A)).flops(), 1000.0 / 3.0, 1e-9);  // dense: n^3 / 3
+}
+
+/// Seven-point differences on a grid of n^3 points, with a random part of the diagonal; every third point has a pressure that couples
+/// with its neighbours along x.
+Matrix grid(int n, double weakest) {
+    const int points = n * n * n, pressures = points / 3;
+    Matrix K;
+    SOFT_PETSC(MatCreateSeqAIJ(PETSC_COMM_SELF, points + pressures, points + pressures, 12, nullptr, K.out()));
+    const auto set = [&](int i, int j, double value) {
+        SOFT_PETSC(MatSetValue(K, i, j, value, INSERT_VALUES));
+        SOFT_PETSC(MatSetValue(K, j, i, value, INSERT_VALUES));
+    };
+    for (int p = 0; p < points; ++p) {
+        set(p, p, p == points / 2 ? weakest : 6.5 + std::sin(p));
+        if (p % n > 0) set(p, p - 1, -1.0);
+        if (p / n % n > 0) set(p, p - n, -1.0);
+        if (p / (n * n) > 0) set(p, p - n * n, -1.0);
+    }
+    for (int s = 0; s < pressures; ++s) {
+        set(points + s, points + s, 0.0);
+        set(points + s, 3 * s, 1.0 + 0.3 * std::cos(s));
+        set(points + s, 3 * s + 1, -1.0);
+    }
+    assemble(K);
+    return K;
+}
+
+struct GridSolution {
+    std::vector<double> x;
+    double residual;
+    int negative;
+};
+
+GridSolution solve_grid(int n, double weakest, int threads) {
+    const auto K = grid(n, weakest);
+    Multifrontal factor(K, threads);
+    Vector b, x, r;
+    SOFT_PETSC(MatCreateVecs(K, x.out(), b.out()));
+    SOFT_PETSC(VecSet(b, 1.0));
+    r = duplicate(b);
+    EXPECT_TRUE(factor.factorize(K));
+    factor.solve(b, x);
+    SOFT_PETSC(MatMult(K, x, r));
+    add(r, -1.0, b);
+    return {gather(x), norm(r) / norm(b), static_cast<int>(factor.negative_pivots().value_or(-1))};
+}
+
+TEST(Multifrontal, FactorisesFrontsOfManyTilesWithTheSameBytesForAnyNumberOfThreads) {
+    constexpr int n = 18;  // the largest front has about 500 rows
+    const auto one = solve_grid(n, 7.0, 1);
+    EXPECT_LT(one.residual, 1e-4);  // of the order of the bound of the pressures' diagonal, 1e-6
+    EXPECT_EQ(one.negative, n * n * n / 3);
+    for (const int threads : {2, 3}) {
+        const auto several = solve_grid(n, 7.0, threads);
+        EXPECT_EQ(several.x, one.x) << threads;
+        EXPECT_EQ(several.negative, one.negative);
+    }
+    EXPECT_EQ(solve_grid(n, -40.0, 2).negative, n * n * n / 3 + 1);
 }
 
 }  // namespace

@@ -1,0 +1,357 @@
+#include "linalg/multifrontal.hpp"
+
+#include <cholmod.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <mutex>
+#include <new>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "linalg/elimination_order.hpp"
+#include "linalg/front.hpp"
+#include "linalg/matrix_rows.hpp"
+
+namespace soft::linalg {
+
+namespace {
+
+static_assert(sizeof(PetscInt) == sizeof(int), "CHOLMOD's int interface is used");
+
+constexpr double min_diagonal = 1e-6;
+
+/// Matrices with fewer flops are factorised by one thread.
+constexpr double flops_of_threads = 5e7;
+
+/// Flops that eliminate `columns` of `rows`.
+double flops_of(double rows, double columns) {
+    const double rest = rows - columns;
+    return columns * columns * columns / 3 + columns * columns * rest + columns * rest * rest;
+}
+
+/// The structure of L: supernodes, that is columns with nearly the same rows, which CHOLMOD merges where that costs few zeros.
+class Structure {
+public:
+    Structure(const MatrixRows& rows, std::vector<PetscInt> order) {
+        cholmod_start(&common_);
+        common_.print = 0;
+        common_.supernodal = CHOLMOD_SUPERNODAL;
+        common_.nmethods = 1;
+        common_.method[0].ordering = CHOLMOD_GIVEN;
+        common_.postorder = 1;
+        const auto count = static_cast<std::size_t>(rows.count);
+        // Row i of the upper triangle of K is column i of the lower one.
+        lower_ = cholmod_allocate_sparse(count, count, static_cast<std::size_t>(rows.begin[rows.count]), 1, 1, -1,
+                                         CHOLMOD_PATTERN, &common_);
+        check();
+        auto* start = static_cast<int*>(lower_->p);
+        auto* index = static_cast<int*>(lower_->i);
+        int next = 0;
+        for (PetscInt row = 0; row < rows.count; ++row) {
+            start[row] = next;
+            for (PetscInt k = rows.begin[row]; k < rows.begin[row + 1]; ++k)
+                if (rows.columns[k] >= row) index[next++] = rows.columns[k];
+        }
+        start[rows.count] = next;
+        factor_ = cholmod_analyze_p(lower_, order.data(), nullptr, 0, &common_);
+        check();
+    }
+    ~Structure() {
+        cholmod_free_factor(&factor_, &common_);
+        cholmod_free_sparse(&lower_, &common_);
+        cholmod_finish(&common_);
+    }
+    Structure(const Structure&) = delete;
+    Structure& operator=(const Structure&) = delete;
+    [[nodiscard]] const cholmod_factor& factor() const { return *factor_; }
+
+private:
+    void check() const {
+        if (common_.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
+        if (common_.status < CHOLMOD_OK)
+            throw Error(ExitCode::internal, "CHOLMOD", "status " + std::to_string(common_.status));
+    }
+
+    cholmod_common common_{};
+    cholmod_sparse* lower_ = nullptr;
+    cholmod_factor* factor_ = nullptr;
+};
+
+/// A node of the assembly tree.
+struct Node {
+    std::size_t columns;        ///< eliminated here
+    std::vector<int> rows;      ///< positions in the elimination order, ascending, beginning with the eliminated ones
+    std::vector<int> places{};  ///< of the other rows among those of the parent
+    std::vector<int> children{};
+    double flops_below = 0;  ///< of the subtree
+    Front front{};
+    std::vector<double> part{};  ///< of the vector in solve(), by rows
+};
+
+/// Work on a child is a task if its subtree has more flops (for solves: flops of the factorisation) than this.
+constexpr double flops_of_a_task = 5e6;
+
+/// Storage of updates. Memory that the system provides again for each front costs as much time as a third of the factorisation.
+class Storage {
+public:
+    /// The smallest vector with this capacity, or a new one.
+    [[nodiscard]] std::vector<double> take(std::size_t entries) {
+        const std::lock_guard lock(mutex_);
+        const auto found = free_.lower_bound(entries);
+        if (found == free_.end()) return {};
+        return std::move(free_.extract(found).mapped());
+    }
+    void give(std::vector<double> vector) {
+        const std::lock_guard lock(mutex_);
+        free_.emplace(vector.capacity(), std::move(vector));
+    }
+
+private:
+    std::mutex mutex_;
+    std::multimap<std::size_t, std::vector<double>> free_;  // by capacity
+};
+
+std::vector<double> bounded_diagonal(const MatrixRows& rows) {
+    std::vector<double> own(static_cast<std::size_t>(rows.count), 0.0);
+    for (PetscInt row = 0; row < rows.count; ++row)
+        for (PetscInt k = rows.begin[row]; k < rows.begin[row + 1]; ++k)
+            if (rows.columns[k] == row) own[static_cast<std::size_t>(row)] = rows.values[k];
+    std::vector<double> bounded = own;
+    for (PetscInt row = 0; row < rows.count; ++row) {
+        double& diagonal = bounded[static_cast<std::size_t>(row)];
+        if (diagonal > 0.0) continue;
+        double schur = 0;
+        for (PetscInt k = rows.begin[row]; k < rows.begin[row + 1]; ++k) {
+            const double other = own[static_cast<std::size_t>(rows.columns[k])];
+            if (other > 0.0) schur += rows.values[k] * rows.values[k] / other;
+        }
+        diagonal = std::min(diagonal, -min_diagonal * schur);
+    }
+    return bounded;
+}
+
+}  // namespace
+
+struct Multifrontal::Parts {
+    int threads = 1;
+    std::vector<PetscInt> unknown, position;  ///< [position] and [unknown]
+    std::vector<Node> nodes;                  ///< children before their parents
+    std::vector<int> roots;
+    double flops = 0;
+    std::vector<double> diagonal;  ///< [unknown]
+    Storage storage;
+    bool failed = false;
+    MPI_Comm ranks = MPI_COMM_SELF;
+    Matrix whole;  ///< the whole distributed K, on every rank
+    Scatter to_all;
+    Vector all;  ///< the whole right-hand side, on every rank
+
+    [[nodiscard]] bool is_shared() const { return to_all.get() != nullptr; }
+    void analyze(const MatrixRows& rows);
+    void factorize(const MatrixRows& K, int index);
+    void assemble(const MatrixRows& K, Node& node);
+    void forward(int index, std::vector<double>& x);
+    void backward(int index, std::vector<double>& x);
+    /// Calls work(root) for all roots, with the threads that take its tasks.
+    template <class Work>
+    void run(const Work& work) const {
+#pragma omp parallel num_threads(threads) if (threads > 1)
+#pragma omp single
+        for (const int root : roots) work(root);
+    }
+};
+
+void Multifrontal::Parts::analyze(const MatrixRows& rows) {
+    const auto count = static_cast<std::size_t>(rows.count);
+    std::vector<PetscInt> order(count);
+    const auto wanted = elimination_order(rows, rows.count);
+    for (std::size_t i = 0; i < count; ++i) order[static_cast<std::size_t>(wanted[i])] = static_cast<PetscInt>(i);
+    const Structure structure(rows, std::move(order));
+    const cholmod_factor& L = structure.factor();
+    const auto *permutation = static_cast<const int*>(L.Perm), *first_column = static_cast<const int*>(L.super),
+               *first_row = static_cast<const int*>(L.pi), *row = static_cast<const int*>(L.s);
+    unknown.assign(permutation, permutation + count);
+    position.resize(count);
+    for (std::size_t i = 0; i < count; ++i) position[static_cast<std::size_t>(unknown[i])] = static_cast<PetscInt>(i);
+    std::vector<std::size_t> node_of;  // [position]
+    for (std::size_t s = 0; s < L.nsuper; ++s) {
+        const auto columns = static_cast<std::size_t>(first_column[s + 1] - first_column[s]);
+        nodes.push_back({columns, {row + first_row[s], row + first_row[s + 1]}});
+        node_of.insert(node_of.end(), columns, s);
+    }
+    for (std::size_t s = 0; s < nodes.size(); ++s) {
+        Node& node = nodes[s];
+        const double own = flops_of(static_cast<double>(node.rows.size()), static_cast<double>(node.columns));
+        flops += own;
+        node.flops_below += own;
+        if (node.rows.size() == node.columns) {
+            roots.push_back(static_cast<int>(s));
+            continue;
+        }
+        Node& parent = nodes[node_of[static_cast<std::size_t>(node.rows[node.columns])]];
+        parent.children.push_back(static_cast<int>(s));
+        parent.flops_below += node.flops_below;
+        std::size_t place = 0;
+        for (std::size_t i = node.columns; i < node.rows.size(); ++i) {
+            while (parent.rows[place] != node.rows[i]) ++place;
+            node.places.push_back(static_cast<int>(place));
+        }
+    }
+}
+
+void Multifrontal::Parts::assemble(const MatrixRows& K, Node& node) {
+    static thread_local std::vector<int> place;  // [position] row of the front
+    place.resize(position.size());
+    for (std::size_t i = 0; i < node.rows.size(); ++i)
+        place[static_cast<std::size_t>(node.rows[i])] = static_cast<int>(i);
+    const std::size_t others = node.places.size();
+    node.front.reset(static_cast<int>(node.rows.size()), static_cast<int>(node.columns),
+                     storage.take(others * (others + 1) / 2));
+    for (std::size_t c = 0; c < node.columns; ++c) {
+        const int own = node.rows[c];
+        const PetscInt row = unknown[static_cast<std::size_t>(own)];
+        double* column = node.front.column(static_cast<int>(c));
+        for (PetscInt k = K.begin[row]; k < K.begin[row + 1]; ++k)
+            if (const PetscInt other = position[static_cast<std::size_t>(K.columns[k])]; other > own)
+                column[place[static_cast<std::size_t>(other)]] = K.values[k];
+        column[c] = diagonal[static_cast<std::size_t>(row)];
+    }
+    for (const int child : node.children) {
+        Node& below = nodes[static_cast<std::size_t>(child)];
+        node.front.add(below.front, below.places);
+        storage.give(below.front.release_update());
+    }
+}
+
+/// The subtree of a node. Called by one thread of a team; the other threads take its tasks.
+void Multifrontal::Parts::factorize(const MatrixRows& K, int index) {
+    Node& node = nodes[static_cast<std::size_t>(index)];
+    for (const int child : node.children) {
+        if (nodes[static_cast<std::size_t>(child)].flops_below > flops_of_a_task) {
+#pragma omp task firstprivate(child) shared(K)
+            factorize(K, child);
+        } else {
+            factorize(K, child);
+        }
+    }
+#pragma omp taskwait
+    assemble(K, node);
+    if (node.front.eliminate()) return;
+#pragma omp atomic write
+    failed = true;
+}
+
+/// L D y = x in the subtree of a node.
+void Multifrontal::Parts::forward(int index, std::vector<double>& x) {
+    Node& node = nodes[static_cast<std::size_t>(index)];
+    for (const int child : node.children) {
+        if (nodes[static_cast<std::size_t>(child)].flops_below > flops_of_a_task) {
+#pragma omp task firstprivate(child) shared(x)
+            forward(child, x);
+        } else {
+            forward(child, x);
+        }
+    }
+#pragma omp taskwait
+    const auto own = std::span(x).subspan(static_cast<std::size_t>(node.rows.front()), node.columns);
+    node.part.assign(node.rows.size(), 0.0);
+    std::ranges::copy(own, node.part.begin());
+    for (const int child : node.children) {
+        const Node& below = nodes[static_cast<std::size_t>(child)];
+        for (std::size_t i = 0; i < below.places.size(); ++i)
+            node.part[static_cast<std::size_t>(below.places[i])] += below.part[below.columns + i];
+    }
+    node.front.forward(node.part);
+    std::copy_n(node.part.begin(), node.columns, own.begin());
+}
+
+/// L^T x = y in the subtree of a node; the part of its parent is known.
+void Multifrontal::Parts::backward(int index, std::vector<double>& x) {
+    Node& node = nodes[static_cast<std::size_t>(index)];
+    node.front.backward(node.part);
+    std::copy_n(node.part.begin(), node.columns, x.begin() + node.rows.front());
+    for (const int child : node.children) {
+        Node& below = nodes[static_cast<std::size_t>(child)];
+        for (std::size_t i = 0; i < below.places.size(); ++i)
+            below.part[below.columns + i] = node.part[static_cast<std::size_t>(below.places[i])];
+        if (below.flops_below > flops_of_a_task) {
+#pragma omp task firstprivate(child) shared(x)
+            backward(child, x);
+        } else {
+            backward(child, x);
+        }
+    }
+#pragma omp taskwait
+}
+
+Multifrontal::Multifrontal(Mat K, int threads) : parts_(std::make_unique<Parts>()) {
+    int size = 1;
+    SOFT_PETSC(PetscObjectGetComm(reinterpret_cast<PetscObject>(K), &parts_->ranks));
+    MPI_Comm_size(parts_->ranks, &size);
+    if (size > 1) {  // PETSc's communicator: to_all keeps it alive
+        SOFT_PETSC(MatCreateRedundantMatrix(K, size, MPI_COMM_NULL, MAT_INITIAL_MATRIX, parts_->whole.out()));
+        Vector like;
+        SOFT_PETSC(MatCreateVecs(K, nullptr, like.out()));
+        SOFT_PETSC(VecScatterCreateToAll(like, parts_->to_all.out(), parts_->all.out()));
+    }
+    parts_->analyze(rows_of(size > 1 ? parts_->whole.get() : K));
+    parts_->threads = parts_->flops > flops_of_threads ? threads : 1;
+}
+
+Multifrontal::~Multifrontal() = default;
+
+double Multifrontal::flops() const { return parts_->flops; }
+
+bool Multifrontal::factorize(Mat K) {
+    if (parts_->is_shared()) {
+        int size = 1;
+        MPI_Comm_size(parts_->ranks, &size);
+        SOFT_PETSC(MatCreateRedundantMatrix(K, size, MPI_COMM_NULL, MAT_REUSE_MATRIX, parts_->whole.out()));
+        K = parts_->whole;
+    }
+    const MatrixRows rows = rows_of(K);
+    parts_->diagonal = bounded_diagonal(rows);
+    parts_->failed = false;
+    parts_->run([&](int root) { parts_->factorize(rows, root); });
+    int good = parts_->failed ? 0 : 1;  // last digits may differ between processor types: rank 0 decides
+    if (parts_->is_shared()) MPI_Bcast(&good, 1, MPI_INT, 0, parts_->ranks);
+    return good != 0;
+}
+
+std::optional<PetscInt> Multifrontal::negative_pivots() const {
+    PetscInt negative = 0;
+    for (const Node& node : parts_->nodes) negative += node.front.negative_pivots();
+    if (parts_->is_shared()) MPI_Bcast(&negative, 1, MPIU_INT, 0, parts_->ranks);
+    return negative;
+}
+
+void Multifrontal::solve(Vec b, Vec x) {
+    PetscInt begin = 0, end = 0;
+    SOFT_PETSC(VecGetOwnershipRange(x, &begin, &end));
+    if (parts_->is_shared()) {
+        SOFT_PETSC(VecScatterBegin(parts_->to_all, b, parts_->all, INSERT_VALUES, SCATTER_FORWARD));
+        SOFT_PETSC(VecScatterEnd(parts_->to_all, b, parts_->all, INSERT_VALUES, SCATTER_FORWARD));
+        b = parts_->all;
+    }
+    std::vector<double> y;  // [position]
+    y.reserve(parts_->unknown.size());
+    const PetscScalar* from = nullptr;
+    SOFT_PETSC(VecGetArrayRead(b, &from));
+    for (const PetscInt i : parts_->unknown) y.push_back(from[i]);
+    SOFT_PETSC(VecRestoreArrayRead(b, &from));
+    parts_->run([&](int root) {
+        parts_->forward(root, y);
+        parts_->backward(root, y);
+    });
+    PetscScalar* to = nullptr;
+    SOFT_PETSC(VecGetArray(x, &to));
+    for (PetscInt i = begin; i < end; ++i)
+        to[i - begin] = y[static_cast<std::size_t>(parts_->position[static_cast<std::size_t>(i)])];
+    SOFT_PETSC(VecRestoreArray(x, &to));
+}
+
+}  // namespace soft::linalg
