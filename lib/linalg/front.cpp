@@ -14,6 +14,8 @@ namespace {
 
 /// Columns eliminated at once, rows solved at once, and depth, rows and columns of a product (measured).
 constexpr int block = 72, rows_at_once = 192, depth_at_once = 128, tile_size = 144;
+/// Columns of a task, which copies its rows once.
+constexpr int columns_of_area = 4 * tile_size;
 /// Work with fewer flops is not divided among the threads.
 constexpr double flops_to_divide = 4e6;
 
@@ -146,25 +148,30 @@ void Front::add(const Front& child, std::span<const int> places) {
     }
 }
 
-/// Subtracts the part of L D L^T of the first `eliminated` columns from a tile.
-void Front::subtract_product(int eliminated, const Tile& tile) {
+/// Subtracts the part of L D L^T of the first `eliminated` columns from some rows of the columns of an area.
+void Front::subtract_product(int eliminated, const Area& area) {
     static thread_local WorkSpace work;
     for (int begin = 0; begin < eliminated; begin += depth_at_once) {
         const int depth = std::min(depth_at_once, eliminated - begin);
-        double *left = work.left.data(), *right = work.right.data();
-        for (int k = begin; k < begin + depth; ++k, left += tile.columns, right += tile.rows) {
-            const double* from = column(k);
-            const double pivot = pivots_[static_cast<std::size_t>(k)];
-            for (int j = 0; j < tile.columns; ++j) left[j] = pivot * from[tile.column + j];
-            std::memcpy(right, from + tile.row, sizeof(double) * static_cast<std::size_t>(tile.rows));
-        }
-        transposed_product(depth, {work.left.data(), tile.columns}, {work.right.data(), tile.rows}, work.product.data(),
-                           tile.rows);
-        const double* product = work.product.data();
-        for (int c = tile.column; c < tile.column + tile.columns; ++c, product += tile.rows) {
-            const int above = std::max(0, c - tile.row);
-            double* to = (c < columns_ ? column(c) : update_.data() + update_column(c)) + tile.row;
-            subtract(to + above, 1.0, product + above, tile.rows - above);
+        double* right = work.right.data();
+        for (int k = begin; k < begin + depth; ++k, right += area.rows)
+            std::memcpy(right, column(k) + area.row, sizeof(double) * static_cast<std::size_t>(area.rows));
+        for (int first = area.column; first < area.column + area.columns; first += tile_size) {
+            const int columns = std::min(tile_size, area.column + area.columns - first);
+            double* left = work.left.data();
+            for (int k = begin; k < begin + depth; ++k, left += columns) {
+                const double* from = column(k) + first;
+                const double pivot = pivots_[static_cast<std::size_t>(k)];
+                for (int j = 0; j < columns; ++j) left[j] = pivot * from[j];
+            }
+            transposed_product(depth, {work.left.data(), columns}, {work.right.data(), area.rows}, work.product.data(),
+                               area.rows);
+            const double* product = work.product.data();
+            for (int c = first; c < first + columns; ++c, product += area.rows) {
+                const int above = std::max(0, c - area.row);
+                double* to = (c < columns_ ? column(c) : update_.data() + update_column(c)) + area.row;
+                subtract(to + above, 1.0, product + above, area.rows - above);
+            }
         }
     }
 }
@@ -172,13 +179,14 @@ void Front::subtract_product(int eliminated, const Tile& tile) {
 /// The same for all rows of the columns [first, last).
 void Front::subtract_products(int eliminated, int first, int last) {
     if (eliminated == 0) return;
-    std::vector<Tile> tiles;
-    for (int c = first; c < last; c += tile_size)
-        for (int row = c; row < rows_; row += tile_size)
-            tiles.push_back({row, std::min(tile_size, rows_ - row), c, std::min(tile_size, last - c)});
+    std::vector<Area> areas;
+    for (int row = first; row < rows_; row += tile_size)
+        for (int c = first; c < std::min(last, row + tile_size); c += columns_of_area)
+            areas.push_back(
+                {row, std::min(tile_size, rows_ - row), c, std::min({columns_of_area, last - c, row + tile_size - c})});
     const double flops = 2.0 * eliminated * (last - first) * (rows_ - first);
-#pragma omp taskloop if (flops > flops_to_divide) grainsize(2)
-    for (std::size_t t = 0; t < tiles.size(); ++t) subtract_product(eliminated, tiles[t]);
+#pragma omp taskloop if (flops > flops_to_divide) grainsize(1)
+    for (std::size_t t = 0; t < areas.size(); ++t) subtract_product(eliminated, areas[t]);
 }
 
 bool Front::eliminate_block(int begin, int end) {

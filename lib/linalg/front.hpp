@@ -29,7 +29,7 @@ public:
     void backward(std::span<double> x) const;
 
 private:
-    struct Tile {
+    struct Area {
         int row, rows, column, columns;
     };
     /// The remaining columns from their diagonal on, one after the other; entry i of the result is row i of the front.
@@ -37,7 +37,7 @@ private:
         const std::ptrdiff_t remaining = rows_ - columns_, k = c - columns_;
         return k * remaining - k * (k + 1) / 2 - columns_;
     }
-    void subtract_product(int eliminated, const Tile& tile);
+    void subtract_product(int eliminated, const Area& area);
     void subtract_products(int eliminated, int first, int last);
     [[nodiscard]] bool eliminate_block(int begin, int end);
 

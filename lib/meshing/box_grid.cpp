@@ -14,6 +14,9 @@ using Triple = std::array<int, 3>;
 
 constexpr int nothing = -1;  // no box at this point
 
+/// With more cells the exact number does not matter: there are too many.
+constexpr double max_cells_between_planes = 1e5;
+
 /// Planes closer than this share of the extent are merged: their positions are sums that differ by rounding.
 constexpr double same_plane = 1e-9;
 
@@ -113,14 +116,20 @@ struct Line {
     [[nodiscard]] int cells() const { return static_cast<int>(block.size()); }
 };
 
+std::vector<double> shares_between_planes(const Blocks& blocks, std::size_t axis, int b, const Spacing& spacing) {
+    const double length_m = blocks.length(axis, b);
+    const SharpEnds sharp{is_sharp(blocks, axis, b), is_sharp(blocks, axis, b + 1)};
+    if (spacing.growth > 0 && spacing.grading > 1)
+        return growing_shares(length_m, spacing.min_cells[axis], spacing, sharp);
+    return graded_shares(divisions(length_m, spacing.size_m, spacing.min_cells[axis]), spacing.grading, sharp);
+}
+
 Line line_along(const Blocks& blocks, std::size_t axis, const Spacing& spacing) {
     Line line;
     for (int b = 0; b < blocks.count(axis); ++b) {
         const double length_m = blocks.length(axis, b);
-        const int cells = divisions(length_m, spacing.size_m, spacing.min_cells[axis]);
         double at = blocks.planes[axis][static_cast<std::size_t>(b)];
-        for (const double share :
-             graded_shares(cells, spacing.grading, {is_sharp(blocks, axis, b), is_sharp(blocks, axis, b + 1)})) {
+        for (const double share : shares_between_planes(blocks, axis, b, spacing)) {
             line.at.push_back(at);
             line.block.push_back(b);
             at += share * length_m;
@@ -145,6 +154,18 @@ std::array<Line, 3> lines_of(const Blocks& blocks, const Spacing& spacing) {
     for (std::size_t axis = 0; axis < 3; ++axis) lines[axis] = line_along(blocks, axis, spacing);
     if (blocks.body.extent == Extent::mirrored_in_y) lines[1] = mirrored(lines[1]);
     return lines;
+}
+
+/// Number of cells between cell i and the next sharp end; 0 if there is none.
+int cells_to_sharp_end(int i, int cells, SharpEnds sharp) {
+    const int from_low = i, from_high = cells - 1 - i;
+    return sharp.low && sharp.high ? std::min(from_low, from_high) : sharp.low ? from_low : sharp.high ? from_high : 0;
+}
+
+void scale_to_one(std::vector<double>& shares) {
+    double sum = 0;
+    for (const double share : shares) sum += share;
+    for (double& share : shares) share /= sum;
 }
 
 /// Numbers the corners and names the sides of the solid cells.
@@ -235,27 +256,45 @@ private:
 }  // namespace
 
 std::vector<double> graded_shares(int cells, double grading, SharpEnds sharp) {
+    const int farthest = sharp.low && sharp.high ? (cells - 1) / 2 : cells - 1;
     std::vector<double> shares;
-    for (int i = 0; i < cells; ++i) {
-        const int from_low = i, from_high = cells - 1 - i;
-        const int away = sharp.low && sharp.high ? std::min(from_low, from_high)
-                         : sharp.low             ? from_low
-                         : sharp.high            ? from_high
-                                                 : 0;
-        const int farthest = sharp.low && sharp.high ? (cells - 1) / 2 : cells - 1;
-        shares.push_back(farthest > 0 ? std::pow(grading, static_cast<double>(away) / farthest) : 1.0);
-    }
-    double sum = 0;
-    for (const double share : shares) sum += share;
-    for (double& share : shares) share /= sum;
+    for (int i = 0; i < cells; ++i)
+        shares.push_back(farthest > 0
+                             ? std::pow(grading, static_cast<double>(cells_to_sharp_end(i, cells, sharp)) / farthest)
+                             : 1.0);
+    scale_to_one(shares);
     return shares;
+}
+
+std::vector<double> growing_shares(double length_m, int min_cells, const Spacing& spacing, SharpEnds sharp) {
+    constexpr double rounding = 1e-9;
+    const bool any = sharp.low || sharp.high;
+    const double shortest_m = any ? spacing.size_m / spacing.grading : spacing.size_m;
+    for (int cells = divisions(length_m, spacing.size_m, min_cells);; ++cells) {
+        std::vector<double> lengths_m;
+        double sum_m = 0;
+        for (int i = 0; i < cells; ++i) {
+            const double grown_m = shortest_m * std::pow(spacing.growth, cells_to_sharp_end(i, cells, sharp));
+            sum_m += lengths_m.emplace_back(std::min(spacing.size_m, grown_m));
+        }
+        if (sum_m < (1 - rounding) * length_m) continue;
+        scale_to_one(lengths_m);
+        return lengths_m;
+    }
 }
 
 double cells_of_boxes(const BoxBody& body, const Spacing& spacing) {
     const Blocks blocks = blocks_of(body);
-    const auto cells = [&](std::size_t axis, int block) {
-        return static_cast<double>(divisions(blocks.length(axis, block), spacing.size_m, spacing.min_cells[axis]));
-    };
+    std::array<std::vector<double>, 3> counts;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (int b = 0; b < blocks.count(axis); ++b) {
+            const double length_m = blocks.length(axis, b);
+            const double many = divisions(length_m, spacing.size_m, spacing.min_cells[axis]);
+            counts[axis].push_back(many >= max_cells_between_planes
+                                       ? many
+                                       : static_cast<double>(shares_between_planes(blocks, axis, b, spacing).size()));
+        }
+    const auto cells = [&](std::size_t axis, int block) { return counts[axis][static_cast<std::size_t>(block)]; };
     double sum = 0;
     for (int i = 0; i < blocks.count(0); ++i)
         for (int j = 0; j < blocks.count(1); ++j)

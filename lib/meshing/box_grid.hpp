@@ -38,14 +38,21 @@ struct BoxBody {
 struct Spacing {
     double size_m;                 ///< requested length of a cell
     std::array<int, 3> min_cells;  ///< between neighbouring planes along x, y, z: through every wall, across every slot
-    double grading;  ///< ratio of longest to shortest cell between two planes if one or both have re-entrant edges
+    double grading;                ///< ratio of longest to shortest cell if one or both planes have re-entrant edges
+    /// 0: the number of cells between two planes follows from size_m, and their lengths from the grading. Otherwise the cells begin
+    /// with size_m / grading at a re-entrant edge and become longer by this factor from one to the next, up to size_m.
+    double growth = 0;
 };
 
-/// Cell lengths between two planes relative to their distance: a geometric series, shortest at the sharp ends.
+/// Whether the planes at both ends of a distance have re-entrant edges.
 struct SharpEnds {
     bool low, high;
 };
+/// Cell lengths between two planes relative to their distance: a geometric series, shortest at the sharp ends.
 [[nodiscard]] std::vector<double> graded_shares(int cells, double grading, SharpEnds sharp);
+/// The same with Spacing::growth.
+[[nodiscard]] std::vector<double> growing_shares(double length_m, int min_cells, const Spacing& spacing,
+                                                 SharpEnds sharp);
 
 /// Number of cells that mesh_of_boxes would generate, for a check before memory is allocated.
 [[nodiscard]] double cells_of_boxes(const BoxBody& body, const Spacing& spacing);

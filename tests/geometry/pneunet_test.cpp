@@ -175,8 +175,8 @@ TEST(Pneunet, EveryWallHasTheRequestedNumberOfCells) {
     const auto cells = [](const sample::Changes& changes) {
         return sample::solid("pneunet", "half", changes).mesh.cell_count();
     };
-    EXPECT_EQ(cells({{"mesh.size", "50 mm"}, {"mesh.through_wall", "2"}}),
-              4 * cells({{"mesh.size", "50 mm"}, {"mesh.through_wall", "1"}}));
+    EXPECT_EQ(cells({{"mesh.size", "50 mm"}, {"mesh.grading", "1"}, {"mesh.through_wall", "2"}}),
+              4 * cells({{"mesh.size", "50 mm"}, {"mesh.grading", "1"}, {"mesh.through_wall", "1"}}));
 }
 
 TEST(Pneunet, RandomFingersHaveValidCells) {

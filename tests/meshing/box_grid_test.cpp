@@ -55,6 +55,27 @@ TEST(GradedShares, GrowGeometricallyFromTheSharpEnd) {
     EXPECT_EQ(graded_shares(2, 9, {true, true}), (std::vector<double>{0.5, 0.5}));
 }
 
+TEST(GrowingShares, BeginAtTheSharpEndsAndGrowUpToTheSize) {
+    const Spacing spacing{4, {1, 1, 1}, 4, 2};  // 1, 2, 4, 4, ... from a sharp end
+    const auto expect_lengths = [&](double length, SharpEnds sharp, const std::vector<double>& lengths) {
+        const auto shares = growing_shares(length, 1, spacing, sharp);
+        ASSERT_EQ(shares.size(), lengths.size()) << length;
+        for (std::size_t i = 0; i < shares.size(); ++i) EXPECT_NEAR(length * shares[i], lengths[i], 1e-12) << length;
+    };
+    expect_lengths(11, {true, false}, {1, 2, 4, 4});
+    expect_lengths(11, {false, true}, {4, 4, 2, 1});
+    expect_lengths(14, {true, true}, {1, 2, 4, 4, 2, 1});
+    expect_lengths(1, {true, true}, {1});
+    expect_lengths(1.5, {true, true}, {0.75, 0.75});  // two of 1 are enough
+    expect_lengths(12, {false, false}, {4, 4, 4});
+    EXPECT_EQ(growing_shares(1, 3, spacing, {true, true}).size(), 3u);
+}
+
+TEST(BoxGrid, CountsTheCellsOfGrowingLengths) {
+    const Spacing spacing{1, {1, 1, 1}, 3, 2};
+    EXPECT_EQ(cells_of_boxes(step(), spacing), static_cast<double>(mesh_of_boxes(step(), spacing).cell_count()));
+}
+
 TEST(BoxGrid, CellsGetShorterOnlyTowardReentrantEdges) {
     const mesh::Mesh mesh = mesh_of_boxes(step(), {1, {2, 2, 2}, 3});
     EXPECT_EQ(coordinates(mesh, 0), (std::vector<double>{0, 1, 2, 3, 4}));  // the edge runs along x: no grading
