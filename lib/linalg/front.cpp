@@ -195,10 +195,13 @@ bool Front::eliminate_block(int begin, int end) {
     const auto stride = static_cast<Stride>(rows_);
     if (!factorize_diagonal(P, stride, columns, &pivots_[static_cast<std::size_t>(begin)])) return false;
     const double flops = static_cast<double>(rows_ - end) * columns * columns;
+    const auto parts = static_cast<std::size_t>((rows_ - end + rows_at_once - 1) / rows_at_once);
 #pragma omp taskloop if (flops > flops_to_divide)
-    for (int row = end; row < rows_; row += rows_at_once)
+    for (std::size_t part = 0; part < parts; ++part) {
+        const int row = end + static_cast<int>(part) * rows_at_once;
         solve_rows(P, stride, columns, &pivots_[static_cast<std::size_t>(begin)], column(begin) + row,
                    std::min(rows_at_once, rows_ - row));
+    }
     return true;
 }
 
