@@ -21,7 +21,7 @@ for case in section solid motion; do
     same 'at fixed addresses (no ASLR)' $case "setarch -R $solve"
     same 'with two other busy processes' $case "for i in 1 2; do (while :; do :; done) & done; $solve; code=\$?; kill %1 %2; exit \$code"
     same 'with three threads set in the environment' $case "OMP_NUM_THREADS=3 OPENBLAS_NUM_THREADS=3 $solve"
-    same 'with one core' $case "$solve --cores 1"
+    same 'with one thread' $case "OMP_NUM_THREADS=1 $solve"
     same 'with another locale and time zone in an otherwise empty environment' $case "env -i PATH=\"\$PATH\" $kernel TZ=Pacific/Chatham LC_ALL=de_DE.UTF-8 $solve"
 done
 echo '-ksp_rtol 1e-1' >.petscrc
