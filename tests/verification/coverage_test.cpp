@@ -130,7 +130,7 @@ std::vector<Known> known_curves() {
         {"solid plate", "plate.yaml", {"mesh.size=25mm", "geometry.thickness=6mm", "loads.bottom.pressure=10kPa"}, 2},
         {"solid finger",
          "pneunet.yaml",
-         {"geometry.chambers=1", "mesh.size=10mm", "mesh.through_wall=1", "loads.cavity.pressure=10kPa"},
+         {"geometry.chambers=1", "mesh={size: 10 mm, through_wall: 1, grading: 1}", "loads.cavity.pressure=10kPa"},
          2},
     };
 }
