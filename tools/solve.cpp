@@ -27,7 +27,6 @@ ExitCode solve_one(const SolveOptions& options) {
     if (options.resume.empty()) check_output(options.common.output, Content::binary);
     const linalg::Session session{options.petsc};
     if (options.profile) linalg::start_profile();
-    if (options.cores > 0) omp_set_num_threads(options.cores);
     return run_on_all_ranks(session.rank(), session.size(), [&] { return run_solve(options, session); });
 }
 

@@ -94,6 +94,7 @@ Task read_task(const SolveOptions& options, int rank) {
     } else {
         task.from.file = read_changed_case(task.input, options.sets, task.changed);
     }
+    if (options.cores > 0) task.from.file.model.solver.threads = options.cores;
     return task;
 }
 
