@@ -111,7 +111,7 @@ CellSize size_of(const Shape& shape, const design::Values& values) {
 constexpr int min_through = 2;
 
 /// The stress is singular at the edges of cavities and slots. Largest errors of the bend and of the change of volume, of nine shapes
-/// (walls of 1 to 2.5 mm, chambers 8 to 20 mm long, 12 to 25 mm high, 16 to 30 mm wide): normal 1 %, draft 5 % and 11 %, fine 0.3 %.
+/// (walls of 1 to 2.5 mm, chambers 8 to 20 mm long, 12 to 25 mm high, 16 to 30 mm wide): normal 1 %, draft 5 % and 11 %, fine 0.4 %.
 /// One cell through the walls has the bend within 1 % too, but the walls bulge 2 to 3 % too far, so that chambers touch too early.
 meshing::Spacing spacing_of(const Shape& shape, const CellSize& size, const design::Values& values) {
     constexpr double growth = 2.5, fine_edges = 3;
