@@ -120,10 +120,11 @@ void backward_columns(const double* panel, int rows, int columns, double* y) {
     }
 }
 
+/// Not on the heap, because an exception must not leave a task.
 struct WorkSpace {
-    std::vector<double> left = std::vector<double>(std::size_t{depth_at_once} * tile_size),
-                        right = std::vector<double>(std::size_t{depth_at_once} * tile_size + gemm_padding),
-                        product = std::vector<double>(std::size_t{tile_size} * tile_size);
+    std::array<double, std::size_t{depth_at_once} * tile_size> left;
+    std::array<double, std::size_t{depth_at_once} * tile_size + gemm_padding> right;
+    std::array<double, std::size_t{tile_size} * tile_size> product;
 };
 
 }  // namespace

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "linalg/multifrontal.hpp"
 #include "linalg/mumps.hpp"
 #include "linalg/preconditioner.hpp"
 #include "linalg/profile.hpp"
 #include "linalg/substructures.hpp"
-#include "math/threads.hpp"
 
 namespace soft::linalg {
 
@@ -41,7 +41,7 @@ PetscErrorCode apply_factors(PC pc, Vec b, Vec x) {
 }  // namespace
 
 LinearSolver::LinearSolver(Mat K, Symmetry symmetry, const LinearSettings& settings, int threads)
-    : K_(K), settings_(settings), threads_(thread_count(threads)) {
+    : K_(K), settings_(settings), threads_(threads) {
     SOFT_PETSC(KSPCreate(PetscObjectComm(reinterpret_cast<PetscObject>(K)), ksp_.out()));
     SOFT_PETSC(KSPSetType(ksp_, KSPFGMRES));
     SOFT_PETSC(KSPGMRESSetRestart(ksp_, restart_of(settings)));
@@ -103,7 +103,8 @@ void LinearSolver::try_multifrontal() {
     }
     const ScopedTimer timed(Phase::ordering);
     auto factors = std::make_unique<Multifrontal>(K_, threads_);
-    if (ranks == 1 || factors->flops() <= flops_of_each_rank) own_ = std::move(factors);
+    const double limit = ranks > 1 ? flops_of_each_rank : std::numeric_limits<double>::max();
+    if (factors->flops() <= limit) own_ = std::move(factors);
 }
 
 PC LinearSolver::preconditioner() const {

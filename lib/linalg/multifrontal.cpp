@@ -3,7 +3,9 @@
 #include <cholmod.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <new>
@@ -15,6 +17,7 @@
 #include "linalg/elimination_order.hpp"
 #include "linalg/front.hpp"
 #include "linalg/matrix_rows.hpp"
+#include "math/threads.hpp"
 
 namespace soft::linalg {
 
@@ -67,12 +70,13 @@ public:
     }
     Structure(const Structure&) = delete;
     Structure& operator=(const Structure&) = delete;
-    [[nodiscard]] const cholmod_factor& factor() const { return *factor_; }
+    /// nullptr if the factor has more entries than an int can count.
+    [[nodiscard]] const cholmod_factor* factor() const { return factor_; }
 
 private:
     void check() const {
         if (common_.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
-        if (common_.status < CHOLMOD_OK)
+        if (common_.status < CHOLMOD_OK && common_.status != CHOLMOD_TOO_LARGE)
             throw Error(ExitCode::internal, "CHOLMOD", "status " + std::to_string(common_.status));
     }
 
@@ -144,7 +148,7 @@ struct Multifrontal::Parts {
     double flops = 0;
     std::vector<double> diagonal;  ///< [unknown]
     Storage storage;
-    bool failed = false;
+    std::atomic<bool> failed = false, out_of_memory = false;
     MPI_Comm ranks = MPI_COMM_SELF;
     Matrix whole;  ///< the whole distributed K, on every rank
     Scatter to_all;
@@ -156,6 +160,19 @@ struct Multifrontal::Parts {
     void assemble(const MatrixRows& K, Node& node);
     void forward(int index, std::vector<double>& x);
     void backward(int index, std::vector<double>& x);
+    /// Calls work(child) for all children and waits; large subtrees are tasks. work must not throw.
+    template <class Work>
+    void for_children(const Node& node, const Work& work) const {
+        for (const int child : node.children) {
+            if (nodes[static_cast<std::size_t>(child)].flops_below > flops_of_a_task) {
+#pragma omp task firstprivate(child) shared(work)
+                work(child);
+            } else {
+                work(child);
+            }
+        }
+#pragma omp taskwait
+    }
     /// Calls work(root) for all roots, with the threads that take its tasks.
     template <class Work>
     void run(const Work& work) const {
@@ -171,7 +188,11 @@ void Multifrontal::Parts::analyze(const MatrixRows& rows) {
     const auto wanted = elimination_order(rows, rows.count);
     for (std::size_t i = 0; i < count; ++i) order[static_cast<std::size_t>(wanted[i])] = static_cast<PetscInt>(i);
     const Structure structure(rows, std::move(order));
-    const cholmod_factor& L = structure.factor();
+    if (structure.factor() == nullptr) {
+        flops = std::numeric_limits<double>::infinity();
+        return;
+    }
+    const cholmod_factor& L = *structure.factor();
     const auto *permutation = static_cast<const int*>(L.Perm), *first_column = static_cast<const int*>(L.super),
                *first_row = static_cast<const int*>(L.pi), *row = static_cast<const int*>(L.s);
     unknown.assign(permutation, permutation + count);
@@ -185,6 +206,7 @@ void Multifrontal::Parts::analyze(const MatrixRows& rows) {
     }
     for (std::size_t s = 0; s < nodes.size(); ++s) {
         Node& node = nodes[s];
+        node.part.resize(node.rows.size());
         const double own = flops_of(static_cast<double>(node.rows.size()), static_cast<double>(node.columns));
         flops += own;
         node.flops_below += own;
@@ -230,35 +252,22 @@ void Multifrontal::Parts::assemble(const MatrixRows& K, Node& node) {
 /// The subtree of a node. Called by one thread of a team; the other threads take its tasks.
 void Multifrontal::Parts::factorize(const MatrixRows& K, int index) {
     Node& node = nodes[static_cast<std::size_t>(index)];
-    for (const int child : node.children) {
-        if (nodes[static_cast<std::size_t>(child)].flops_below > flops_of_a_task) {
-#pragma omp task firstprivate(child) shared(K)
-            factorize(K, child);
-        } else {
-            factorize(K, child);
-        }
+    for_children(node, [&](int child) { factorize(K, child); });
+    if (failed || out_of_memory) return;
+    try {
+        assemble(K, node);
+        if (!node.front.eliminate()) failed = true;
+    } catch (const std::bad_alloc&) {  // an exception must not leave a task
+        out_of_memory = true;
     }
-#pragma omp taskwait
-    assemble(K, node);
-    if (node.front.eliminate()) return;
-#pragma omp atomic write
-    failed = true;
 }
 
 /// L D y = x in the subtree of a node.
 void Multifrontal::Parts::forward(int index, std::vector<double>& x) {
     Node& node = nodes[static_cast<std::size_t>(index)];
-    for (const int child : node.children) {
-        if (nodes[static_cast<std::size_t>(child)].flops_below > flops_of_a_task) {
-#pragma omp task firstprivate(child) shared(x)
-            forward(child, x);
-        } else {
-            forward(child, x);
-        }
-    }
-#pragma omp taskwait
+    for_children(node, [&](int child) { forward(child, x); });
     const auto own = std::span(x).subspan(static_cast<std::size_t>(node.rows.front()), node.columns);
-    node.part.assign(node.rows.size(), 0.0);
+    std::ranges::fill(node.part, 0.0);
     std::ranges::copy(own, node.part.begin());
     for (const int child : node.children) {
         const Node& below = nodes[static_cast<std::size_t>(child)];
@@ -274,18 +283,12 @@ void Multifrontal::Parts::backward(int index, std::vector<double>& x) {
     Node& node = nodes[static_cast<std::size_t>(index)];
     node.front.backward(node.part);
     std::copy_n(node.part.begin(), node.columns, x.begin() + node.rows.front());
-    for (const int child : node.children) {
+    for_children(node, [&](int child) {
         Node& below = nodes[static_cast<std::size_t>(child)];
         for (std::size_t i = 0; i < below.places.size(); ++i)
             below.part[below.columns + i] = node.part[static_cast<std::size_t>(below.places[i])];
-        if (below.flops_below > flops_of_a_task) {
-#pragma omp task firstprivate(child) shared(x)
-            backward(child, x);
-        } else {
-            backward(child, x);
-        }
-    }
-#pragma omp taskwait
+        backward(child, x);
+    });
 }
 
 Multifrontal::Multifrontal(Mat K, int threads) : parts_(std::make_unique<Parts>()) {
@@ -299,7 +302,7 @@ Multifrontal::Multifrontal(Mat K, int threads) : parts_(std::make_unique<Parts>(
         SOFT_PETSC(VecScatterCreateToAll(like, parts_->to_all.out(), parts_->all.out()));
     }
     parts_->analyze(rows_of(size > 1 ? parts_->whole.get() : K));
-    parts_->threads = parts_->flops > flops_of_threads ? threads : 1;
+    parts_->threads = parts_->flops > flops_of_threads ? thread_count(threads) : 1;
 }
 
 Multifrontal::~Multifrontal() = default;
@@ -315,8 +318,9 @@ bool Multifrontal::factorize(Mat K) {
     }
     const MatrixRows rows = rows_of(K);
     parts_->diagonal = bounded_diagonal(rows);
-    parts_->failed = false;
+    parts_->failed = parts_->out_of_memory = false;
     parts_->run([&](int root) { parts_->factorize(rows, root); });
+    if (parts_->out_of_memory) throw std::bad_alloc();
     int good = parts_->failed ? 0 : 1;  // last digits may differ between processor types: rank 0 decides
     if (parts_->is_shared()) MPI_Bcast(&good, 1, MPI_INT, 0, parts_->ranks);
     return good != 0;

@@ -20,11 +20,13 @@ namespace soft::linalg {
 
 class Multifrontal final : public Factors {
 public:
-    /// Orders the unknowns by the pattern of K. All later matrices must have this pattern.
+    /// Orders the unknowns by the pattern of K. All later matrices must have this pattern. `threads`: math/threads.hpp, for large K.
     explicit Multifrontal(Mat K, int threads = 1);
     ~Multifrontal() override;
 
-    [[nodiscard]] double flops() const;  ///< multiplications and additions of a factorisation
+    /// Multiplications and additions of a factorisation; infinite if its factor has more entries than an int can count. No other
+    /// function may be called then.
+    [[nodiscard]] double flops() const;
     [[nodiscard]] bool factorize(Mat K) override;
     [[nodiscard]] std::optional<PetscInt> negative_pivots() const override;
     [[nodiscard]] std::optional<bool> determinant_is_negative() const override { return std::nullopt; }

@@ -1,10 +1,10 @@
 #pragma once
-/// Number of threads of a parallel loop. Tested by fem/settings_test and linalg/multifrontal_test (equal results).
-#include <omp.h>
+/// Number of threads of a parallel loop. Tested by math/threads_test; equal results: fem/settings_test, linalg/multifrontal_test.
 
 namespace soft {
 
-/// `stated` if positive, else the threads that OpenMP may use: all cores, OMP_NUM_THREADS, or what a program has set.
-[[nodiscard]] inline int thread_count(int stated) { return stated > 0 ? stated : omp_get_max_threads(); }
+/// `stated` if positive, else the threads that OpenMP may use: all cores, OMP_NUM_THREADS, or what a program has set; but no more than
+/// the system allows, because libgomp ends the process if it cannot start one. The threads are started and kept by the first call.
+[[nodiscard]] int thread_count(int stated);
 
 }  // namespace soft

@@ -84,7 +84,7 @@ TEST(Multifrontal, FactorisesNewValuesWithTheSamePattern) {
     EXPECT_LT(error_of_solve(factor, second), 1e-13);
 }
 
-TEST(Multifrontal, ReadsOnlyTheUpperTriangle) {
+TEST(Multifrontal, ReadsOnlyTheEntryInTheRowEliminatedFirst) {  // the rows of a dense matrix keep their order
     const auto A = saddle_point(6, 2, 0.1, 5.0);
     auto other_below = A;
     for (int i = 0; i < A.size; ++i)
