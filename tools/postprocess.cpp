@@ -9,6 +9,7 @@
 #include "io/result_file.hpp"
 #include "post/csv.hpp"
 #include "post/curve.hpp"
+#include "post/cycles.hpp"
 #include "post/request.hpp"
 #include "post/sensitivity.hpp"
 #include "postprocess_checks.hpp"
@@ -52,7 +53,13 @@ ExitCode postprocess(const PostprocessOptions& options) {
     }
     cli::Input input = cli::read_hdf5_input(options.input);
     const core::Bytes image = copies_result(options.pictures) ? input.bytes : core::Bytes{};
-    const io::Result result = io::read_result(std::move(input.bytes), input.source, geometry::rebuild_case);
+    io::Result result = io::read_result(std::move(input.bytes), input.source, geometry::rebuild_case);
+    nlohmann::ordered_json cycles = cycles_json(result);
+    if (options.cycle > 0) {
+        model::PathEnd end = result.end.value_or(model::PathEnd{});
+        post::keep_cycle(result.model, options.cycle, result.steps, end);
+        if (result.end) result.end = std::move(end);
+    }
     post::Curve curve = post::make_curve(result.model, result.steps);
     if (options.lists_outputs) {
         cli::write_output(options.common.output, post::column_text(curve.columns));
@@ -71,6 +78,7 @@ ExitCode postprocess(const PostprocessOptions& options) {
     const post::Curve table = options.at.empty() ? curve : rows_at(curve, options.at);
     const std::optional<Comparison> comparison = compare(options.compare, curve);
     nlohmann::ordered_json json = postprocess_summary(result, curve, table.row_count());
+    if (!cycles.empty()) json["cycles"] = std::move(cycles);
     const CheckReport checks = run_checks(options, curve, comparison, json);
     const auto lines = options.comments ? comments(result, options.common) : std::vector<std::string>{};
     if (options.wants_table)

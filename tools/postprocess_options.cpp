@@ -51,14 +51,14 @@ void add_check_options(CLI::App& app, CheckOptions& check) {
 }
 
 const std::string columns_help =
-    "Columns (only those that apply to the case): step, time_s, stage (1, 2 ..., if there are several), pressure_kPa (of the\n"
-    "first load; traction_kPa, load_N or load_factor if no load is a pressure), <output>_mm (_deg, _per_m, _N, _Nmm), volume_mL,\n"
+    "Columns (only those that apply to the case): step, time_s, cycle and stage (1, 2 ..., if there are several), pressure_kPa (of\n"
+    "the first load; traction_kPa, load_N or load_factor if no load is a pressure), <output>_mm (_deg, _per_m, _N, _Nmm), volume_mL,\n"
     "pressure_<load>_kPa and volume_<cavity>_mL (if there are several), for dynamics kinetic_energy_mJ, stored_energy_mJ,\n"
     "load_work_mJ (work of the loads) and damping_work_mJ (energy dissipated by damping), stretch_p99 (largest principal stretch\n"
     "exceeded in 1 % of the rubber: converges under refinement), max_stretch (does not converge at a sharp corner), min_J\n"
     "(smallest volume ratio), stable (1 or 0). max_stretch and min_J are values of single integration points; pictures and\n"
     "ParaView's nodal fields use the linear part of each cell, which is more accurate and does not show such peaks.\n"
-    "--also adds for static paths stored_energy_mJ and load_work_mJ, in contact dissipated_energy_mJ (set free by snaps) and\n"
+    "--also adds for static paths stored_energy_mJ and load_work_mJ, dissipated_energy_mJ (by inelastic rubber and snaps) and\n"
     "friction_work_mJ (dissipated by friction), and the undeformed positions of max_stretch and of the largest energy density;\n"
     "--plot --x and --y accept these without --also.\n"
     "--outputs lists all columns with their meaning.\n"
@@ -91,6 +91,10 @@ void check_combinations(const CLI::App& app) {
     for (const char* option : {"--columns", "--max-error"}) needs(option, {"--compare"});
     for (const char* option : {"--rtol", "--atol"}) needs(option, {"--check"});
     needs("--junit", {"--check", "--max-error"});
+    for (const char* option : {"--picture", "--animate", "--paraview", "--report"})
+        if (app.count("--cycle") > 0 && app.count(option) > 0)
+            throw Error(ExitCode::usage, "--cycle", "a part of the path has no pictures and no report",
+                        "omit one of them");
     for (const char* option : {"--tolerances", "--errors"})
         if (app.count("--sensitivity") > 0 && app.count(option) > 0)
             throw Error(ExitCode::usage, option, "has no effect with --sensitivity", "omit one of them");
@@ -151,6 +155,10 @@ std::optional<PostprocessOptions> parse_postprocess_options(int argc, char** arg
         ->allow_extra_args(false)
         ->take_all()
         ->type_name("QUANTITY[,QUANTITY...]");
+    app.add_option("--cycle", options.cycle,
+                   "Only this cycle of a programme with path.repeat, from the state in which it starts")
+        ->check(CLI::PositiveNumber)
+        ->type_name("N");
     app.add_flag(
         "--sensitivity", options.sensitivity,
         "Print the derivatives of the curve by the numbers of the design that mesh-gen --sensitivity named: of the load at "

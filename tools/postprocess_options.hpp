@@ -36,6 +36,7 @@ struct PostprocessOptions {
     bool comments = false;
     bool lists_outputs = false;           ///< list the columns of RESULT, or all possible columns without RESULT
     std::vector<std::string> also;        ///< additional columns
+    int cycle = 0;                        ///< only this cycle of a repeated programme; 0: all
     bool sensitivity = false;             ///< the table is that of the sensitivities
     std::vector<std::string> tolerances;  ///< KEY=VALUE
     std::string errors;                   ///< --json file of fit-material or optimize; empty: none

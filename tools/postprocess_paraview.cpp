@@ -9,6 +9,7 @@
 #include "post/contact_pressure.hpp"
 #include "postprocess_pictures.hpp"
 #include "view/numbered_files.hpp"
+#include "view/scene.hpp"
 #include "view/vtu.hpp"
 
 namespace soft {
@@ -19,7 +20,9 @@ namespace fs = std::filesystem;
 class Exporter {
 public:
     explicit Exporter(const PictureInput& shown)
-        : shown_(shown), region_points_(post::make_region_points(shown.result.model.mesh)) {}
+        : shown_(shown),
+          region_points_(post::make_region_points(shown.result.model.mesh)),
+          history_(view::rubber_history(shown.result)) {}
 
     void vtu(std::int64_t row, const fs::path& file) const {
         const Step step(*this, row);
@@ -96,7 +99,8 @@ private:
             : values(stored_fields(exporter.shown_.result, row)),
               state{
                   values.displacement_m, values.pressure_Pa,
-                  post::obstacle_shifts(exporter.model(), exporter.shown_.result.steps, static_cast<std::size_t>(row))},
+                  post::obstacle_shifts(exporter.model(), exporter.shown_.result.steps, static_cast<std::size_t>(row)),
+                  exporter.history_.at(row, values.displacement_m)},
               fields(post::step_fields(exporter.model(), exporter.region_points_, state)) {}
         Step(const Step&) = delete;  // `state` refers to `values`
         Step& operator=(const Step&) = delete;
@@ -106,6 +110,7 @@ private:
 
     const PictureInput& shown_;
     post::RegionPoints region_points_;
+    mutable post::RubberHistory history_;
 };
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "post/quantity.hpp"
 #include "view/animation.hpp"
 #include "view/picture.hpp"
+#include "view/scene.hpp"
 
 namespace soft {
 namespace {
@@ -159,22 +160,25 @@ public:
           region_points_(post::make_region_points(shown.result.model.mesh)),
           skin_(view::make_skin(shown.result.model, region_points_, skin_options(options))),
           body_{skin_, view::base_positions(skin_, shown.result.model, region_points_, {}), &shown.result.model,
-                skin_options(options).extent} {}
+                skin_options(options).extent},
+          history_(view::rubber_history(shown.result)) {}
 
     [[nodiscard]] std::size_t polygons() const { return skin_.faces.size(); }
 
-    [[nodiscard]] view::Shot shot(const io::FieldReader::Values& values, std::span<const std::string> words,
-                                  std::vector<Vector3> shifts) const {
+    /// Of a state at or before a row and after the one before it.
+    [[nodiscard]] view::Shot shot(const io::FieldReader::Values& values, std::int64_t row, double time_s,
+                                  std::span<const std::string> words, std::vector<Vector3> shifts) const {
         const model::Case& model = shown_.result.model;
-        const post::NodalState state{values.displacement_m, values.pressure_Pa, shifts};
+        const post::NodalState state{values.displacement_m, values.pressure_Pa, shifts,
+                                     history_.at(row, values.displacement_m, time_s)};
         const auto nodal = post::nodal_values(style_.quantity, model, region_points_, state,
                                               post::step_fields(model, region_points_, state));
         return {view::base_positions(skin_, model, region_points_, values.displacement_m),
                 view::base_values(skin_, nodal), title_of(shown_, words), std::move(shifts)};
     }
     [[nodiscard]] view::Shot shot(std::int64_t row) const {
-        return shot(stored_fields(shown_.result, row), state_words(shown_.curve, static_cast<std::size_t>(row)),
-                    shifts(row));
+        return shot(stored_fields(shown_.result, row), row, history_.time_of(row),
+                    state_words(shown_.curve, static_cast<std::size_t>(row)), shifts(row));
     }
     [[nodiscard]] std::vector<Vector3> shifts(std::int64_t row) const {
         return post::obstacle_shifts(shown_.result.model, shown_.result.steps, static_cast<std::size_t>(row));
@@ -196,6 +200,7 @@ public:
             const auto before = after == stored.begin() ? after : std::prev(after);
             io::FieldReader::Values values = stored_fields(shown_.result, after->second);
             std::vector<Vector3> moved = shifts(after->second);
+            double time_s = history_.time_of(after->second);
             if (after->first > s && before != after) {
                 const auto start = stored_fields(shown_.result, before->second);
                 const double share = (s - before->first) / (after->first - before->first);
@@ -204,11 +209,13 @@ public:
                 };
                 blend(values.displacement_m, start.displacement_m);
                 blend(values.pressure_Pa, start.pressure_Pa);
+                time_s = std::lerp(history_.time_of(before->second), time_s, share);
                 const auto from = shifts(before->second);
                 for (std::size_t k = 0; k < moved.size(); ++k)
                     moved[k] = along(from[k], share, difference(moved[k], from[k]));
             }
-            shots.push_back(shot(values, state_words(shown_.curve, path.at(s), false), std::move(moved)));
+            shots.push_back(
+                shot(values, after->second, time_s, state_words(shown_.curve, path.at(s), false), std::move(moved)));
         }
         return shots;
     }
@@ -246,6 +253,7 @@ private:
     post::RegionPoints region_points_;
     view::Skin skin_;
     view::Body body_;
+    mutable post::RubberHistory history_;
 };
 
 /// The stored step nearest to the (fractional) step number `step`.

@@ -8,6 +8,7 @@
 #include "design/fitted.hpp"
 #include "event_summary.hpp"
 #include "material_summary.hpp"
+#include "post/cycles.hpp"
 
 namespace soft {
 namespace {
@@ -77,6 +78,15 @@ nlohmann::ordered_json postprocess_summary(const io::Result& result, const post:
     return json;
 }
 
+nlohmann::ordered_json cycles_json(const io::Result& result) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const post::CycleEnergy& energy : post::cycle_energies(result.model, result.steps))
+        json.push_back({{"cycle", energy.cycle},
+                        {"load_work_mJ", 1e3 * energy.load_work_J},
+                        {"dissipated_energy_mJ", 1e3 * energy.dissipated_J}});
+    return json;
+}
+
 std::vector<std::string> summary_lines(const nlohmann::ordered_json& json) {
     const std::string reason = json["stop_reason"].is_null() ? "not finished: solve was interrupted or is still running"
                                                              : json["stop_reason"].get<std::string>();
@@ -88,6 +98,12 @@ std::vector<std::string> summary_lines(const nlohmann::ordered_json& json) {
     for (const auto& branch : json["bifurcations"]) lines.push_back("bifurcation: " + location_line(branch));
     for (const auto& contact : json["events"])
         lines.push_back("first contact: " + location_line(contact) + ": " + contact["text"].get<std::string>());
+    if (json.contains("cycles")) {
+        const auto& last = json["cycles"].back();
+        lines.push_back("cycle " + std::to_string(last["cycle"].get<int>()) + ": the loads do " +
+                        core::rounded_text(last["load_work_mJ"].get<double>(), 4) + " mJ of work, " +
+                        core::rounded_text(last["dissipated_energy_mJ"].get<double>(), 4) + " mJ are dissipated");
+    }
     if (const auto& fit = json["material_fit"]; !fit.is_null()) lines.push_back(fit_line(fit));
     return lines;
 }

@@ -16,6 +16,9 @@ namespace soft {
 [[nodiscard]] nlohmann::ordered_json postprocess_summary(const io::Result& result, const post::Curve& curve,
                                                          std::size_t rows);
 
+/// Energies of the complete cycles of a repeated programme; empty if there are none.
+[[nodiscard]] nlohmann::ordered_json cycles_json(const io::Result& result);
+
 /// Text of the summary: one line for the path, one per limit point, bifurcation or first contact, one for the test data of
 /// fitted constants.
 [[nodiscard]] std::vector<std::string> summary_lines(const nlohmann::ordered_json& json);

@@ -261,7 +261,7 @@ ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) 
                  post::path_warnings(model,
                                      {*summary.first, *summary.last, summary.max_stretch_p99, summary.max_stretch_step,
                                       summary.became_unstable, summary.end.limit_points, summary.first_crushed_row,
-                                      summary.min_jacobian},
+                                      summary.min_jacobian, model::is_inelastic(model)},
                                      summary.end.reason))
                 console.warn(line);
         if (const std::string problem = summary.energy.problem(); !problem.empty())

@@ -112,6 +112,47 @@ void add_fit_keys(Schema& schema, const MaterialSection& written) {
     schema.names[fit_path].emplace_back("max_I1");
 }
 
+constexpr const char *viscoelastic = "viscoelastic", *softening = "softening", *constants_key = "constants";
+constexpr int max_branches = 8;
+
+/// Adds the keys of the inelastic effects that the design has; without them the rubber is elastic.
+void add_inelastic_keys(Schema& schema, const MaterialSection& written) {
+    const auto add = [&](Key key, int max_count = 1) {
+        key.path = at(written.section, key.path);
+        key.max_count = max_count;
+        schema.keys.push_back(std::move(key));
+    };
+    schema.names[written.section].insert(schema.names[written.section].end(), {viscoelastic, softening});
+    if (find(written.material, viscoelastic) != nullptr) {
+        add(choice_key(constants_key, "long-term", {"long-term", "instantaneous"},
+                       "what the constants of the law describe: very slow or very fast loading"));
+        add(value_key("viscoelastic.moduli", Kind::ratio, at_least(0),
+                      "stiffness of each Maxwell element, relative to the long-term stiffness"),
+            max_branches);
+        add(value_key("viscoelastic.times", Kind::time, above(0), "relaxation time of each Maxwell element"),
+            max_branches);
+    }
+    if (find(written.material, softening) == nullptr) return;
+    add(value_key("softening.r", Kind::ratio, above(1), "Ogden-Roxburgh r: the stress falls at most to 1 - 1/r"));
+    add(value_key("softening.m", Kind::pressure, above(0), "Ogden-Roxburgh m: energy of the transition"));
+    add(with_default("0", value_key("softening.beta", Kind::ratio, at_least(0),
+                                    "Ogden-Roxburgh beta: growth of the transition with the largest energy")));
+}
+
+std::optional<material::Inelastic> inelastic_of(const Values& values, const std::string& section) {
+    material::Inelastic inelastic;
+    if (const std::string moduli = at(section, "viscoelastic.moduli"); values.has(moduli)) {
+        inelastic.moduli = values.numbers(moduli);
+        inelastic.times_s = values.numbers(at(section, "viscoelastic.times"));
+        inelastic.instantaneous = values.text(at(section, constants_key)) == "instantaneous";
+    }
+    if (values.has(at(section, "softening.r")))
+        inelastic.softening = {values.number(at(section, "softening.r")), values.number(at(section, "softening.m")),
+                               values.number(at(section, "softening.beta"))};
+    if (inelastic.moduli.empty() && !inelastic.softening) return std::nullopt;
+    return inelastic;
+}
+
 void add_law_keys(Schema& schema, const MaterialSection& written, const material::LawInfo& law, Examples& examples,
                   std::string_view default_frame) {
     const auto add = [&](Key key, std::string_view example = {}) {
@@ -134,6 +175,7 @@ void add_law_keys(Schema& schema, const MaterialSection& written, const material
                "the law " + std::string{law.name} + " defines its own volumetric energy", "leave it out");
     }
     for (const Setting<Material>& setting : common_settings()) add(setting.key);
+    add_inelastic_keys(schema, written);
     add_fit_keys(schema, written);
     if (!law.fibers) return;
     add(frame_setting().key);
@@ -226,6 +268,7 @@ Material material_of(const Values& values, const std::string& section) {
         for (const material::Parameter& parameter : material::find_law(material.law)->parameters)
             material.constants[std::string{parameter.name}] = values.numbers(path(parameter.name));
     }
+    material.inelastic = inelastic_of(values, section);
     try {
         static_cast<void>(model::make_rubber(material));
     } catch (const Error& error) {

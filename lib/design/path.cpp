@@ -24,6 +24,7 @@ public:
         for (const StageLoad& load : entry.loads) set_target(load, stage);
         control(entry, stage);
         stage.until = until(entry);
+        time(entry, stage);
         return stage;
     }
 
@@ -65,6 +66,21 @@ private:
     void check_volume(const std::string& key) const {
         if (!has(LoadKind::gas))
             throw values_.refuse(key, "no cavity is loaded, so there is no volume to prescribe", "use auto");
+    }
+
+    /// In time the loads are prescribed: no other quantity can be.
+    void time(const StageEntry& entry, model::Stage& stage) const {
+        const std::string key = entry.path + ".time";
+        stage.time_s.reset();
+        if (!values_.has(key) || values_.text(key) == "none") return;
+        stage.time_s = values_.number(key);
+        if (stage.control != Control::automatic && stage.control != Control::pressure)
+            throw values_.refuse(own_or_path(entry, "control"), "a stage with a time prescribes its loads",
+                                 "use auto; to prescribe the volume, give the load a volume");
+        for (const model::Until& end : stage.until)
+            if (end.quantity != "steps")
+                throw values_.refuse(key, "a stage with a time ends with it, not where " + end.quantity + " is reached",
+                                     "omit until, or the time");
     }
 
     /// A `controlled` of the stage must match its control; that of the path is used only if it matches.
@@ -154,6 +170,21 @@ void check_all_named(const PathParts& parts, const Values& values) {
     }
 }
 
+void check_times(const PathParts& parts, const model::PathSettings& path, const Values& values) {
+    const auto timed = [](const model::Stage& stage) { return stage.time_s.has_value(); };
+    const auto count = std::ranges::count_if(path.stages, timed);
+    if (count == 0) return;
+    for (std::size_t i = 0; i < parts.stages.size(); ++i)
+        if (!timed(path.stages[i]))
+            throw values.refuse(parts.stages[i].path + ".time", "other stages have a time, this one has none",
+                                "give every stage a time, or none");
+    if (path.branch == model::Branch::follow)
+        throw values.refuse("path.branch", "a path in time has no branches", "use stay, or stages without times");
+    if (path.frequencies > 0)
+        throw values.refuse(frequencies_path, "a path in time has no natural frequencies",
+                            "use 0, or stages without times");
+}
+
 void check_frequencies(const Values& values) {
     require_density(values, frequencies_path);
     const std::string& linear = values.text("solver.linear");
@@ -171,10 +202,16 @@ model::PathSettings path_of(const PathParts& parts, std::span<const Item> items,
     model::PathSettings path = read_settings(path_settings(), values, "path");
     StageReader reader{parts, items, values};
     model::Stage before = unloaded(parts.loads);
-    for (const StageEntry& entry : parts.stages) {
-        path.stages.push_back(reader.read(entry, before));
-        before = path.stages.back();
-    }
+    for (int cycle = 1; cycle <= path.cycles; ++cycle)
+        for (const StageEntry& entry : parts.stages) {
+            path.stages.push_back(reader.read(entry, before));
+            path.stages.back().cycle = cycle;
+            before = path.stages.back();
+        }
+    if (path.cycles > 1 && parts.stages.front().name.empty())
+        throw values.refuse("path.repeat", "the path has no stages that could be repeated",
+                            "add path.stages, for example {inflate: {...}, vent: {...}}");
+    check_times(parts, path, values);
     if (values.text(controlled_path) != "first" && !reader.uses_controlled()) reader.refuse_controlled(controlled_path);
     if (path.frequencies > 0) check_frequencies(values);
     return path;

@@ -9,6 +9,7 @@ namespace {
 
 using model::Control;
 
+constexpr int max_cycles = 1000;
 constexpr const char *as_path = "path", *no_end = "none", *stages_path = "path.stages";
 
 /// Keys of a stage repeat those of the path, with the word `path` to take over its value.
@@ -81,6 +82,9 @@ StageEntry add_stage_keys(Schema& schema, const Node& root, const Member& stage,
     const Key controlled = *std::ranges::find(schema.keys, "path.controlled", &Key::path);
     schema.keys.push_back(control_key(entry.path));
     schema.keys.push_back(controlled_key(entry.path, {controlled.choices.begin() + 1, controlled.choices.end()}));
+    schema.keys.push_back(
+        or_word("none", value_key(entry.path + ".time", Kind::time, above(0),
+                                  "duration, in which the loads change linearly; none: without time")));
     const std::string until = entry.path + ".until";
     const Node* own = find_path(root, until);
     if (own != nullptr && own->kind == Node::Kind::map)
@@ -119,6 +123,13 @@ const Settings<model::PathSettings>& path_settings() {
                {{"solve", Contact::solve}, {"stop", Contact::stop}, {"ignore", Contact::ignore}},
                "where walls of the actuator touch each other: solve for the contact forces, stop the path, or ignore "
                "the contact and let the walls penetrate; obstacles are respected in any case"),
+        choice(
+            "modulus", &Path::modulus,
+            {{"long-term", model::Modulus::long_term}, {"instantaneous", model::Modulus::instantaneous}},
+            "response of viscoelastic rubber where the stages have no time: as under very slow or very fast loading"),
+        number("time_accuracy", &Path::time_accuracy, share,
+               "relative error of the viscous stress that the steps of stages with a time may have"),
+        count("repeat", &Path::cycles, {1, max_cycles}, "number of times that the stages are passed"),
         number("stretch_limit", &Path::stretch_limit, above(1),
                "stretch, exceeded in 1 % of the rubber, at which a load that cannot be reached is abandoned"),
         count("frequencies", &Path::frequencies, {0, model::max_frequencies},

@@ -15,10 +15,11 @@ namespace soft::fem {
 
 /// Input of a cell. All spans are component-major, as the unknowns.
 struct CellInput {
-    std::span<const double> X;     ///< reference coordinates [m], dimension x nodes
-    std::span<const double> u;     ///< displacement [m], dimension x nodes
-    std::span<const double> p;     ///< pressure unknowns (p = pressure_scale x unknown x basis)
-    double pressure_scale_Pa = 1;  ///< balances displacement and pressure rows; see fem/dof_map.hpp
+    std::span<const double> X;                     ///< reference coordinates [m], dimension x nodes
+    std::span<const double> u;                     ///< displacement [m], dimension x nodes
+    std::span<const double> p;                     ///< pressure unknowns (p = pressure_scale x unknown x basis)
+    double pressure_scale_Pa = 1;                  ///< balances displacement and pressure rows; see fem/dof_map.hpp
+    const material::StepMemory* memory = nullptr;  ///< internal variables of its points; nullptr: elastic
 };
 
 /// Data at the quadrature points of a cell: component c of point q is at [c * stride + q], with the stride of `law`. law.F is the

@@ -1,6 +1,7 @@
 #include "fem/fields.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -12,31 +13,22 @@ namespace soft::fem {
 
 namespace {
 
-struct PointLocation {
-    const CellGroup& group;
-    std::size_t cell, point;  // of the group, of the cell
+/// Energies per undeformed volume at a point.
+struct PointEnergy {
+    double stored_J_m3 = 0, dissipated_J_m3 = 0;  // dissipated: in the step
 };
 
-/// Calls visit(point, energy per undeformed volume, location) for every quadrature point of this rank's cells.
+/// Calls visit(point, energy, location) for every quadrature point of this rank's cells.
 template <class Visit>
-void for_each_point(const Discretization& fe, const LocalState& state, Visit&& visit) {
-    std::vector<PointState> points;
-    for (const auto& group : fe.groups) {
-        LocalCell cell(*group.reference);
-        for (std::size_t c = 0; c < group.cells.size(); ++c) {
-            gather(fe, state, group, c, cell);
-            points.clear();
-            std::visit(
-                [&](const auto& rubber) {
-                    sample_cell(*group.reference, fe.input.kinematics, rubber.fiber_frame,
-                                cell.input(fe.dofs.pressure_scale_Pa), cell.out.points, points);
-                    for (std::size_t q = 0; q < points.size(); ++q)
-                        visit(points[q], energy_density(fe.input.formulation, rubber, points[q]),
-                              PointLocation{group, c, q});
-                },
-                *group.rubber);
-        }
-    }
+void for_each_energy(const Discretization& fe, LocalState& state, Visit&& visit) {
+    const auto& steps = state.point_steps();
+    std::size_t index = 0;
+    for_each_point(fe, state, [&](const PointState& point, const PointLocation& at) {
+        const double elastic = std::visit(
+            [&](const auto& rubber) { return energy_density(fe.input.formulation, rubber, point); }, *at.group.rubber);
+        const material::PointStep step = steps.empty() ? material::PointStep{} : steps[index++];
+        visit(point, PointEnergy{elastic + step.stored_change_J_m3, step.dissipated_J_m3}, at);
+    });
 }
 
 Vector3 undeformed_position(const mesh::Mesh& mesh, const PointLocation& location) {
@@ -102,12 +94,12 @@ void add_nodal_pressures(const Discretization& fe, mesh::Index cell, const std::
 double Fields::stored_energy(Vec x) {
     state_.read(x);
     double energy_J = 0;
-    for_each_point(fe_, state_, [&](const PointState& point, double energy_J_m3, const PointLocation&) {
-        energy_J += point.weight_m3 * energy_J_m3;
+    for_each_energy(fe_, state_, [&](const PointState& point, const PointEnergy& energy, const PointLocation&) {
+        energy_J += point.weight_m3 * (energy.stored_J_m3 + energy.dissipated_J_m3);
     });
     MPI_Allreduce(MPI_IN_PLACE, &energy_J, 1, MPI_DOUBLE, MPI_SUM, fe_.comm);
     const contact::Summary contact = contact_.measure(x);
-    return energy_J + contact.energy_J + contact.dissipated_J;
+    return energy_J + state_.internal().dissipated_J() + contact.energy_J + contact.dissipated_J;
 }
 
 StretchSummary Fields::stretches(Vec x) {
@@ -120,18 +112,21 @@ StretchSummary Fields::stretches(Vec x) {
         double stretch;
         int rank;
     } own{0, fe_.rank}, most{};
-    for_each_point(fe_, state_, [&](const PointState& point, double energy_J_m3, const PointLocation& location) {
+    for_each_energy(fe_, state_, [&](const PointState& point, const PointEnergy& energy, const PointLocation& at) {
         const auto eigenvalues = symmetric_eigenvalues(right_cauchy_green(point.F));
         mine.push_back({std::sqrt(std::max(eigenvalues[0], 0.0)), point.weight_m3});
         summary.min_jacobian = std::min(summary.min_jacobian, determinant(point.F));
-        summary.stored_energy_J += point.weight_m3 * energy_J_m3;
-        summary.max_energy_J_m3 = std::max(summary.max_energy_J_m3, energy_J_m3);
+        summary.stored_energy_J += point.weight_m3 * energy.stored_J_m3;
+        summary.dissipated_J += point.weight_m3 * energy.dissipated_J_m3;
+        summary.max_energy_J_m3 = std::max(summary.max_energy_J_m3, energy.stored_J_m3);
         if (mine.back().stretch <= own.stretch) return;
         own.stretch = mine.back().stretch;
-        summary.max_at_m = undeformed_position(fe_.input.mesh, location);
+        summary.max_at_m = undeformed_position(fe_.input.mesh, at);
     });
     MPI_Allreduce(MPI_IN_PLACE, &summary.min_jacobian, 1, MPI_DOUBLE, MPI_MIN, fe_.comm);
-    MPI_Allreduce(MPI_IN_PLACE, &summary.stored_energy_J, 1, MPI_DOUBLE, MPI_SUM, fe_.comm);
+    for (double* sum : {&summary.stored_energy_J, &summary.dissipated_J})
+        MPI_Allreduce(MPI_IN_PLACE, sum, 1, MPI_DOUBLE, MPI_SUM, fe_.comm);
+    summary.dissipated_J += state_.internal().dissipated_J();
     const contact::Summary contact = contact_.measure(x);
     summary.stored_energy_J += contact.energy_J;
     summary.friction_J = contact.dissipated_J;
@@ -142,6 +137,20 @@ StretchSummary Fields::stretches(Vec x) {
     summary.largest = samples.front().stretch;
     summary.p99 = percentile_99(samples);
     return summary;
+}
+
+std::optional<double> Fields::error_in_time(Vec x) {
+    state_.read(x);
+    std::array<double, 2> sums{};
+    const auto& steps = state_.point_steps();
+    std::size_t index = 0;
+    for_each_point(fe_, state_, [&](const PointState& point, const PointLocation&) {
+        const material::PointStep& step = steps[index++];
+        sums[0] += point.weight_m3 * step.error2;
+        sums[1] += point.weight_m3 * step.stress2;
+    });
+    MPI_Allreduce(MPI_IN_PLACE, sums.data(), 2, MPI_DOUBLE, MPI_SUM, fe_.comm);
+    return state_.internal().relative_error(sums[0], sums[1]);
 }
 
 mesh::Index Fields::inverted_at_a_node(Vec x) const {

@@ -16,6 +16,7 @@ struct StretchSummary {
     double min_jacobian = 1;
     Vector3 max_at_m{};          ///< undeformed position of the largest stretch; x, r, 0 in a section
     double stored_energy_J = 0;  ///< of the modelled part, with that of the contact
+    double dissipated_J = 0;     ///< by inelastic materials since the start of the path
     double friction_J = 0;       ///< dissipated by friction since the start of the path
     double max_energy_J_m3 = 0;  ///< per undeformed volume, at an integration point
 };
@@ -31,9 +32,12 @@ public:
     /// Both must outlive this object.
     Fields(const Discretization& fe, Contact& contact, LocalState& state) : fe_(fe), contact_(contact), state_(state) {}
 
-    /// Energy stored in the rubber and the contact of the modelled part, and dissipated by friction so far [J]. Collective, as all members.
+    /// Energy stored in the rubber and the contact of the modelled part, and dissipated by the materials and friction so far [J].
+    /// Collective, as all members.
     [[nodiscard]] double stored_energy(Vec x);
     [[nodiscard]] StretchSummary stretches(Vec x);
+    /// Estimated error of a step in time (InternalVariables::relative_error).
+    [[nodiscard]] std::optional<double> error_in_time(Vec x);
 
     /// The cell that is inverted most at one of its nodes, where no quadrature point is; -1 if none.
     [[nodiscard]] mesh::Index inverted_at_a_node(Vec x) const;

@@ -36,7 +36,8 @@ LocalState::LocalState(const Discretization& fe, std::span<const mesh::Index> no
     : fe_(fe),
       levels_(no_loads(fe.input)),
       first_(1 + 3 * static_cast<PetscInt>(fe.input.motions.size())),
-      values_(static_cast<std::size_t>(first_ + fe.dofs.total), 0.0) {
+      values_(static_cast<std::size_t>(first_ + fe.dofs.total), 0.0),
+      internal_(fe) {
     const auto dofs = unknowns_read(fe, nodes);
     linalg::IndexSet wanted;
     SOFT_PETSC(ISCreateGeneral(PETSC_COMM_SELF, static_cast<PetscInt>(dofs.size()), dofs.data(), PETSC_COPY_VALUES,
@@ -47,6 +48,7 @@ LocalState::LocalState(const Discretization& fe, std::span<const mesh::Index> no
 
 void LocalState::prescribe(const LoadLevels& levels) {
     levels_ = levels;
+    internal_.set_time(levels.time_s);
     for (PetscInt slot = 0; slot < first_ - 1; ++slot) {
         const PetscInt dof = -2 - slot;
         values_[static_cast<std::size_t>(first_ + dof)] =
@@ -57,6 +59,21 @@ void LocalState::prescribe(const LoadLevels& levels) {
 void LocalState::read(Vec x) {
     SOFT_PETSC(VecScatterBegin(scatter_, x, unknowns_, INSERT_VALUES, SCATTER_FORWARD));
     SOFT_PETSC(VecScatterEnd(scatter_, x, unknowns_, INSERT_VALUES, SCATTER_FORWARD));
+}
+
+/// A row asks for them several times.
+const std::vector<material::PointStep>& LocalState::point_steps() {
+    if (internal_.is_empty() ||
+        (steps_at_ == values_ && steps_time_s_ == levels_.time_s && steps_accepted_ == internal_.accepted_steps()))
+        return steps_;
+    steps_.clear();
+    for_each_point(fe_, *this, [this](const PointState& point, const PointLocation& at) {
+        steps_.push_back(internal_.step_at(at, point));
+    });
+    steps_at_ = values_;
+    steps_time_s_ = levels_.time_s;
+    steps_accepted_ = internal_.accepted_steps();
+    return steps_;
 }
 
 void LocalState::positions(const SurfaceCell& cell, std::vector<double>& x) const {
@@ -72,6 +89,7 @@ void gather(const Discretization& fe, const LocalState& state, const CellGroup& 
         for (std::size_t a = 0; a < n; ++a) cell.X[i * n + a] = fe.input.mesh.point(nodes[a])[i];
     const auto dofs = group.dofs_of(index);
     for (std::size_t k = 0; k < dofs.size(); ++k) cell.unknowns[k] = state[dofs[k]];
+    cell.is_elastic = !state.internal().read(group, index, cell.memory);
 }
 
 void integrate(const Discretization& fe, const LocalState& state, const CellGroup& group, std::size_t index,

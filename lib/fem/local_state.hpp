@@ -1,10 +1,12 @@
 #pragma once
-/// A vector of unknowns and the levels of the prescribed motions, as this rank's cells and facets read them.
+/// A vector of unknowns and the levels of the prescribed motions, as this rank's cells and facets read them, with the internal
+/// variables of the materials.
 /// Tested by fem/system_test.
 #include <span>
 #include <vector>
 
 #include "fem/discretization.hpp"
+#include "fem/internal_variables.hpp"
 #include "fem/load_levels.hpp"
 #include "fem/solid_kernel.hpp"
 #include "fem/surface_cell.hpp"
@@ -17,7 +19,7 @@ public:
     /// object.
     LocalState(const Discretization& fe, std::span<const mesh::Index> nodes);
 
-    /// Sets the values of the prescribed components.
+    /// Sets the values of the prescribed components and the time.
     void prescribe(const LoadLevels& levels);
     [[nodiscard]] const LoadLevels& levels() const noexcept { return levels_; }
     /// Copies the unknowns from their ranks. Collective.
@@ -28,6 +30,12 @@ public:
     /// Current positions of the nodes, component by component.
     void positions(const SurfaceCell& cell, std::vector<double>& x) const;
 
+    /// The steps of all points of this rank to this state, in the order of for_each_point; empty without inelastic materials.
+    [[nodiscard]] const std::vector<material::PointStep>& point_steps();
+
+    [[nodiscard]] InternalVariables& internal() noexcept { return internal_; }
+    [[nodiscard]] const InternalVariables& internal() const noexcept { return internal_; }
+
 private:
     const Discretization& fe_;
     LoadLevels levels_;
@@ -35,6 +43,11 @@ private:
     std::vector<double> values_;  // by unknown
     linalg::Vector unknowns_;     // those values as a vector
     linalg::Scatter scatter_;
+    InternalVariables internal_;
+    std::vector<material::PointStep> steps_;
+    std::vector<double> steps_at_;  // values_ of the steps
+    double steps_time_s_ = 0;
+    std::int64_t steps_accepted_ = -1;
 };
 
 /// Workspace for one cell, reused from cell to cell.
@@ -42,21 +55,41 @@ struct LocalCell {
     explicit LocalCell(const ReferenceCell& reference)
         : X(reference.displacement_dofs()), unknowns(reference.dofs()), out(reference) {}
     std::vector<double> X, unknowns;  ///< component by component
+    material::StepMemory memory;
+    bool is_elastic = true;
     CellOutput out;
     [[nodiscard]] CellInput input(double pressure_scale_Pa) const {
         return {X,
                 {unknowns.data(), X.size()},
                 {unknowns.data() + X.size(), unknowns.size() - X.size()},
-                pressure_scale_Pa};
+                pressure_scale_Pa,
+                is_elastic ? nullptr : &memory};
     }
 };
 
-/// Reads positions and unknowns of cell `index` of a group.
+/// Reads positions, unknowns and internal variables of cell `index` of a group.
 void gather(const Discretization& fe, const LocalState& state, const CellGroup& group, std::size_t index,
             LocalCell& cell);
 /// The same, then computes the residual and, if wanted, the stiffness.
 void integrate(const Discretization& fe, const LocalState& state, const CellGroup& group, std::size_t index,
                material::Wanted wanted, LocalCell& cell);
+
+/// Calls visit(point, location) for every quadrature point of this rank's cells.
+template <class Visit>
+void for_each_point(const Discretization& fe, const LocalState& state, Visit&& visit) {
+    std::vector<PointState> points;
+    for (const auto& group : fe.groups) {
+        LocalCell cell(*group.reference);
+        const auto frame = std::visit([](const auto& rubber) { return rubber.fiber_frame; }, *group.rubber);
+        for (std::size_t c = 0; c < group.cells.size(); ++c) {
+            gather(fe, state, group, c, cell);
+            points.clear();
+            sample_cell(*group.reference, fe.input.kinematics, frame, cell.input(fe.dofs.pressure_scale_Pa),
+                        cell.out.points, points);
+            for (std::size_t q = 0; q < points.size(); ++q) visit(points[q], PointLocation{group, c, q});
+        }
+    }
+}
 
 /// Collects the derivative of a scalar by the unknowns (`by_x` is overwritten; nullptr if not needed) and by the level of each motion
 /// (overwritten; empty if not needed).

@@ -27,7 +27,18 @@ bool System::has_initial_stress() const {
                                [](const auto& rubber) { return material::reference_stress_Pa(rubber) > 0.0; });
 }
 
-bool System::has_fibers() const {
+void System::accept_step(Vec x) {
+    contact_.start_friction(x);
+    if (state_.internal().is_empty()) return;
+    state_.read(x);
+    state_.internal().begin_acceptance();
+    for_each_point(fe_, state_,
+                   [this](const PointState& point, const PointLocation& at) { state_.internal().accept(at, point); });
+    state_.internal().end_acceptance();
+}
+
+bool System::has_kinks() const {
+    if (state_.internal().soften()) return true;
     return std::ranges::any_of(fe_.rubbers, [](const auto& rubber) { return material::fibers_of(rubber).has_value(); });
 }
 

@@ -29,6 +29,10 @@ public:
     }
     [[nodiscard]] Contact& contact() noexcept { return contact_; }
     [[nodiscard]] const Contact& contact() const noexcept { return contact_; }
+    [[nodiscard]] InternalVariables& internal() noexcept { return state_.internal(); }
+    [[nodiscard]] const InternalVariables& internal() const noexcept { return state_.internal(); }
+    /// A step of the path is complete: the next one starts from x at the levels prescribed. Collective.
+    void accept_step(Vec x);
     [[nodiscard]] Assembler& assembler() noexcept { return assembler_; }
     [[nodiscard]] CavityVolumes& volumes() noexcept { return volumes_; }
     [[nodiscard]] const CavityVolumes& volumes() const noexcept { return volumes_; }
@@ -39,8 +43,8 @@ public:
     [[nodiscard]] bool has_energy() const;
     /// False without an energy, and with friction. Does not account for a pressure on a surface with a free rim.
     [[nodiscard]] bool has_symmetric_tangent() const;
-    /// Whether a material has fibres: the tangent jumps where a fibre becomes slack or taut.
-    [[nodiscard]] bool has_fibers() const;
+    /// Whether the tangent jumps: where a fibre becomes slack or taut, and where softened rubber is unloaded or loaded again.
+    [[nodiscard]] bool has_kinks() const;
     /// True if a law has stress in the undeformed state, which is then not in equilibrium without load.
     [[nodiscard]] bool has_initial_stress() const;
 

@@ -123,6 +123,9 @@ void require_differentiable(const model::Case& model) {
                     "add one, for example outputs: {elongation: {face: moving}}");
     if (model.dynamics)
         throw Error(ExitCode::bad_input, option, "a motion in time has no sensitivities", "omit dynamics.duration");
+    if (model::is_inelastic(model) || model::is_timed(model))
+        throw Error(ExitCode::bad_input, option, "paths in time and inelastic materials have no sensitivities",
+                    "omit material.viscoelastic, material.softening and the times of the stages");
     if (model::has_friction(model))
         throw Error(ExitCode::bad_input, option, "paths with friction have no sensitivities",
                     "set contact.friction and that of the obstacles to 0");

@@ -33,10 +33,10 @@ auto members(Is<model::Step::Motion> auto& motion) {
     return std::tie(time, kinetic, stored, work, damping);
 }
 auto members(Is<model::Step> auto& step) {
-    auto& [stage, load_factor, pressure, volume, pressures, volumes, outputs, d_load_factor, d_pressure, d_volume,
+    auto& [stage, load_factor, time, pressure, volume, pressures, volumes, outputs, d_load_factor, d_pressure, d_volume,
            d_pressures, d_volumes, d_outputs, iterations, factorizations, stable, controlled, p99, stretch, jacobian,
            extremes, energies, motion, pressure_error, output_errors, frequencies, derivatives] = step;
-    return std::tie(stage, load_factor, pressure, volume, pressures, volumes, outputs, d_load_factor, d_pressure,
+    return std::tie(stage, load_factor, time, pressure, volume, pressures, volumes, outputs, d_load_factor, d_pressure,
                     d_volume, d_pressures, d_volumes, d_outputs, iterations, factorizations, stable, controlled, p99,
                     stretch, jacobian, extremes, energies, motion, pressure_error, output_errors, frequencies,
                     derivatives);
@@ -65,14 +65,14 @@ auto members(Is<model::StatePoint> auto& point) {
                     modes);
 }
 auto members(Is<model::StageStart> auto& start) {
-    auto& [pressures, volumes, masses, dead_loads, motions] = start;
-    return std::tie(pressures, volumes, masses, dead_loads, motions);
+    auto& [pressures, volumes, masses, dead_loads, motions, time] = start;
+    return std::tie(pressures, volumes, masses, dead_loads, motions, time);
 }
 auto members(Is<model::Checkpoint> auto& checkpoint) {
     auto& [ranks, rows, stage, stage_row, start, control, controlled, user_failed, on_branch, pending, pivots, before,
-           last, step, first_step, dissipated, friction, work, slope, visited, so_far] = checkpoint;
+           last, step, first_step, dissipated, friction, internal, work, slope, visited, so_far] = checkpoint;
     return std::tie(ranks, rows, stage, stage_row, start, control, controlled, user_failed, on_branch, pending, pivots,
-                    before, last, step, first_step, dissipated, friction, work, slope, visited, so_far);
+                    before, last, step, first_step, dissipated, friction, internal, work, slope, visited, so_far);
 }
 auto members(Is<JournalStep> auto& record) {
     auto& [step, displacement, pressure] = record;

@@ -58,6 +58,10 @@ template <auto member>
 double* in_energies(Step& step) {
     return step.energies && (*step.energies).*member ? &*((*step.energies).*member) : nullptr;
 }
+double* time_of(Step& step) {
+    if (step.motion) return &step.motion->time_s;
+    return step.time_s ? &*step.time_s : nullptr;
+}
 double* volume_tangent(Step& step) { return step.volume_m3 ? &step.tangent_volume : nullptr; }
 /// In a dynamic path, the columns of the same names are those of the motion.
 void create_energies(Step& step) {
@@ -92,11 +96,11 @@ constexpr Column<double> number_columns[]{
     {"stored_energy", "J", "strain energy of the whole actuator", resting<&Energies::stored_J>, create_energies},
     {"load_work", "J", "work of the loads since the start of the path", resting<&Energies::load_work_J>,
      create_energies},
-    {"dissipated_energy", "J", "set free by snaps in contact since the start of the path",
+    {"dissipated_energy", "J", "dissipated by snaps in contact and by inelastic materials since the start of the path",
      in_energies<&Energies::dissipated_J>, create_in_energies<&Energies::dissipated_J>},
     {"friction_work", "J", "dissipated by friction since the start of the path", in_energies<&Energies::friction_J>,
      create_in_energies<&Energies::friction_J>},
-    {"time", "s", "time since the undeformed state at rest", moving<&Motion::time_s>},
+    {"time", "s", "time since the undeformed state at rest", time_of},
     {"kinetic_energy", "J", "kinetic energy of the whole actuator", moving<&Motion::kinetic_energy_J>},
     {"stored_energy", "J", "strain energy of the whole actuator", moving<&Motion::stored_energy_J>},
     {"load_work", "J", "work of the loads since time 0", moving<&Motion::load_work_J>},
@@ -203,9 +207,11 @@ std::optional<RowProblem> problem_of(const Step& step, const Step* before, const
         if (*column.find(row) < 0) return RowProblem{column.name, "is negative"};
     if (!is_error(step.pressure_error_Pa.value_or(0)) || !std::ranges::all_of(step.output_errors, is_error))
         return RowProblem{"pressure_error", "an error is negative"};
-    if (step.motion.has_value() != model.dynamics.has_value())
-        return RowProblem{"time", "must exist in a dynamic case, and only there"};
-    if (step.motion && (step.motion->time_s < 0 || (before && !(step.motion->time_s > before->motion->time_s))))
+    if (step.motion.has_value() != model.dynamics.has_value() || step.time_s.has_value() != model::is_timed(model))
+        return RowProblem{"time", "must exist in a dynamic case and on a path in time, and only there"};
+    Step earlier = before ? *before : Step{};
+    const double *time = time_of(row), *time_before = before ? time_of(earlier) : nullptr;
+    if (time != nullptr && (*time < 0 || (time_before != nullptr && !(*time > *time_before))))
         return RowProblem{"time", "must ascend and not be negative"};
     if (step.motion && step.motion->kinetic_energy_J < 0) return RowProblem{"kinetic_energy", "is negative"};
     if (before && step.volume_m3.has_value() != before->volume_m3.has_value())
@@ -219,7 +225,7 @@ void write_steps(hid_t path, std::span<const Step> steps, const model::Case& mod
     write_column(path, {"step", "1", "row number"}, steps.size(),
                  [](std::size_t i) { return static_cast<std::int64_t>(i); });
     if (steps.empty()) return;
-    if (!model.dynamics)
+    if (!model::runs_in_time(model))
         write_column(path, {"time", "1", "pseudo time: stage number + load parameter"}, steps.size(),
                      [&](std::size_t i) { return steps[i].stage + steps[i].load_factor; });
     std::vector<Step> rows(steps.begin(), steps.end());  // find() requires mutable rows
@@ -242,6 +248,7 @@ std::vector<Step> read_steps(const GroupReader& path, const model::Case& model) 
     const GroupReader tangents = path.group("tangents");
     Step row;
     if (model.dynamics) row.motion = Step::Motion{};
+    if (model::is_timed(model)) row.time_s = 0.0;
     for_each_table([&](auto columns) { create_values(path, columns, row); });
     create_values(tangents, Table<double>{tangent_columns}, row);
     std::vector<Step> steps(numbers.size(), row);

@@ -82,10 +82,44 @@ std::optional<Fibers> fibers_in(const Constants& constants, const Description& d
     }
 }
 
+void check(const Inelastic& inelastic) {
+    constexpr const char* times = "viscoelastic.times";
+    if (inelastic.moduli.size() != inelastic.times_s.size())
+        refuse(times,
+               std::to_string(inelastic.times_s.size()) + " times for " + std::to_string(inelastic.moduli.size()) +
+                   " moduli",
+               "write one time for each modulus");
+    for (const double g : inelastic.moduli)
+        if (!(g >= 0.0)) refuse("viscoelastic.moduli", core::number_text(g) + " is negative");
+    for (const double tau : inelastic.times_s)
+        if (!(tau > 0.0)) refuse(times, core::number_text(tau) + " s is not positive");
+    if (!inelastic.softening) return;
+    const auto& [r, m_Pa, beta] = *inelastic.softening;
+    if (!(r > 1.0))
+        refuse("softening.r", core::number_text(r) + " is not above 1", "at 1 the rubber could lose all its stiffness");
+    if (!(m_Pa > 0.0)) refuse("softening.m", core::number_text(m_Pa) + " Pa is not positive");
+    if (!(beta >= 0.0)) refuse("softening.beta", core::number_text(beta) + " is negative");
+}
+
+template <Law L>
+std::optional<Inelastic> inelastic_in(const Description& description) {
+    if (!description.inelastic) return std::nullopt;
+    if (!MayBeInelastic<L>)
+        refuse(description.inelastic->moduli.empty() ? "softening" : "viscoelastic",
+               "the law " + std::string(L::info().name) + " has no isochoric energy that could relax or soften",
+               "use neo-hookean, yeoh or ogden, for example");
+    check(*description.inelastic);
+    return description.inelastic;
+}
+
 template <Law L>
 Rubber<L> rubber_of(const Constants& constants, const Description& description) {
-    Rubber<L> rubber{L::from(constants), description.volumetric, 0.0, description.fiber_frame,
-                     fibers_in<L>(constants, description)};
+    Rubber<L> rubber{L::from(constants),
+                     description.volumetric,
+                     0.0,
+                     description.fiber_frame,
+                     fibers_in<L>(constants, description),
+                     inelastic_in<L>(description)};
     if (!(rubber.law.initial_shear_modulus_Pa() > 0.0))
         refuse(L::info().parameters.front().name, "the initial shear modulus is not positive",
                "check the signs of the constants");
@@ -190,6 +224,10 @@ double reference_stress_Pa(const AnyRubber& rubber) {
 
 const std::optional<Fibers>& fibers_of(const AnyRubber& rubber) {
     return std::visit([](const auto& r) -> const std::optional<Fibers>& { return r.fibers; }, rubber);
+}
+
+const Inelastic* inelastic_of(const AnyRubber& rubber) {
+    return std::visit([](const auto& r) { return r.inelastic ? &*r.inelastic : nullptr; }, rubber);
 }
 
 bool has_symmetric_tangent(const AnyRubber& rubber) {

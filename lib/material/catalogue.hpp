@@ -23,12 +23,14 @@ struct Description {
     std::optional<double> bulk_modulus_Pa = {};  ///< kappa; nullopt = incompressible
     VolumetricLaw volumetric = VolumetricLaw::quadratic;
     FiberFrame fiber_frame = FiberFrame::cartesian;
-    std::optional<Fibers> fibers = {};  ///< in addition to the law; not allowed if the law has fibres
+    std::optional<Fibers> fibers = {};        ///< in addition to the law; not allowed if the law has fibres
+    std::optional<Inelastic> inelastic = {};  ///< only for laws with an isochoric energy
 };
 
 /// Throws Error (bad_input) for an unknown law, a missing or unknown constant, a constant outside its range, inconsistent
 /// constants, and an initial shear modulus that is not positive; the location is the name of the parameter ("mu", "kappa", "law").
-/// Throws it with the location "fibers" or "fibers.k1" for fibres that are outside their range or that the law does not support.
+/// Throws it with the location "fibers" or "fibers.k1" for fibres that are outside their range or that the law does not support, and
+/// likewise with "viscoelastic", "viscoelastic.times", "softening.r" ....
 [[nodiscard]] AnyRubber make_rubber(const Description& description);
 
 /// The incompressible rubber of a known law without these checks, for parts of a law such as c01 alone. Constants that are not given have
@@ -51,6 +53,9 @@ struct Description {
 
 /// The fibres of the law, or those in addition to it.
 [[nodiscard]] const std::optional<Fibers>& fibers_of(const AnyRubber& rubber);
+
+/// nullptr for an elastic rubber.
+[[nodiscard]] const Inelastic* inelastic_of(const AnyRubber& rubber);
 
 /// False for laws without an energy.
 [[nodiscard]] bool has_symmetric_tangent(const AnyRubber& rubber);

@@ -26,6 +26,7 @@
 #include "material/form.hpp"
 #include "material/gent.hpp"
 #include "material/holzapfel_gasser_ogden.hpp"
+#include "material/inelastic.hpp"
 #include "material/kraken.hpp"
 #include "material/linear_elastic.hpp"
 #include "material/mooney_rivlin.hpp"
@@ -50,7 +51,8 @@ struct Rubber {
     VolumetricLaw volumetric = VolumetricLaw::quadratic;
     double inverse_bulk_modulus = 0;
     FiberFrame fiber_frame = FiberFrame::cartesian;
-    std::optional<Fibers> fibers = {};  ///< only for laws that satisfy MayHaveFibers
+    std::optional<Fibers> fibers = {};        ///< only for laws that satisfy MayHaveFibers
+    std::optional<Inelastic> inelastic = {};  ///< only for laws that satisfy MayBeInelastic
 };
 
 template <class L>
@@ -83,6 +85,9 @@ concept StressLaw = requires(const L& law, const Invariants<Dual<3>>& I, const D
 /// A law with a finite-strain energy, to which the energy of fibres can be added.
 template <class L>
 concept MayHaveFibers = !StressLaw<L> && !std::same_as<L, LinearElastic>;
+/// A law with an isochoric energy, which can relax and soften.
+template <class L>
+concept MayBeInelastic = InvariantLaw<L> || StretchLaw<L>;
 template <class L>
 concept Law = (InvariantLaw<L> || StretchLaw<L> || CoupledLaw<L> || StressLaw<L> ||
                std::same_as<L, LinearElastic>)&&requires(const L& law, const Constants& constants) {

@@ -95,6 +95,19 @@ void set_slopes(PointBatch& batch, int q, const LawSlopes& slopes) {
     batch.theta[q] = slopes.theta;
 }
 
+void add_overstress(PointBatch& batch, Wanted wanted) {
+    const int stride = batch.stride;
+    for (int q = 0; q < batch.points; ++q) {
+        const Tensor H = full(batch.memory->overstress[static_cast<std::size_t>(q)]), F = batch.gradient(q);
+        const Tensor P = multiply(F, H);
+        for (int m = 0; m < 9; ++m) batch.first_piola[m * stride + q] += P[m];
+        if (wanted == Wanted::stress) continue;
+        for (int i = 0; i < 3; ++i)
+            for (int J = 0; J < 3; ++J)
+                for (int L = 0; L < 3; ++L) batch.tangent[(9 * (3 * i + J) + 3 * i + L) * stride + q] += H[3 * J + L];
+    }
+}
+
 /// Applies the chain rules at all points, for fixed components and symmetry.
 template <Components Which, Symmetry Kind>
 inline void apply_to_all(PointBatch& batch, Form form, Wanted wanted) {

@@ -133,36 +133,50 @@ struct Variables {
         : I{Dual<3>::variable(values.I1, 0), Dual<3>::variable(values.I2, 1)}, J(Dual<3>::variable(jacobian, 2)) {}
 };
 
-/// Derivatives of the shear energy plus `volumetric`, a function of (I1, I2, J).
+/// Derivatives of the shear energy in a step plus `volumetric`, a function of (I1, I2, J).
 template <class L>
-[[nodiscard]] Slopes with_shear(const Rubber<L>& rubber, const Variables& at, const Dual<3>& volumetric) {
+[[nodiscard]] Slopes with_shear(const Rubber<L>& rubber, const Variables& at, const Dual<3>& volumetric,
+                                const EnergyOfStep& step) {
     if constexpr (StretchLaw<L>)
         return slopes_of(volumetric);
     else
-        return slopes_of(shear_energy(rubber.law, at.I, at.J) + volumetric);
+        return slopes_of(step(shear_energy(rubber.law, at.I, at.J)) + volumetric);
 }
+
+/// A law in principal stretches with the energy of a step.
+template <class L>
+struct LawOfStep {
+    const L& law;
+    const EnergyOfStep& step;
+    template <class T>
+    T isochoric_energy(const IsochoricStretches<T>& stretch) const {
+        return step(law.isochoric_energy(stretch));
+    }
+};
 
 }  // namespace detail
 
 /// Mixed formulation: energy W(F, p) at fixed p.
 template <Law L>
 requires(!StressLaw<L> && !std::same_as<L, LinearElastic>) [[nodiscard]] LawSlopes
-    mixed_slopes(const Rubber<L>& rubber, const Invariants<double>& I, double J, double p) {
+    mixed_slopes(const Rubber<L>& rubber, const Invariants<double>& I, double J, double p,
+                 const EnergyOfStep& step = {}) {
     const detail::Variables at(I, J);
     const Dual<3> dilation = dilatation(rubber, at.I, at.J);
-    return {detail::with_shear(rubber, at, p * dilation), dilation.v, dilation.g};
+    return {detail::with_shear(rubber, at, p * dilation, step), dilation.v, dilation.g};
 }
 
 /// Displacement formulation: energy W(F) with a finite K.
 template <Law L>
 requires(!std::same_as<L, LinearElastic>) [[nodiscard]] LawSlopes
-    displacement_slopes(const Rubber<L>& rubber, const Invariants<double>& I, double J) {
+    displacement_slopes(const Rubber<L>& rubber, const Invariants<double>& I, double J, const EnergyOfStep& step = {}) {
     const detail::Variables at(I, J);
     if constexpr (StressLaw<L>) {
         return {slopes_of(rubber.law.stress_coefficients(at.I, at.J)), 0.0, {}};
     } else {
         const Dual<3> dilation = dilatation(rubber, at.I, at.J);
-        return {detail::with_shear(rubber, at, 0.5 / rubber.inverse_bulk_modulus * dilation * dilation), 0.0, {}};
+        const Dual<3> volumetric = 0.5 / rubber.inverse_bulk_modulus * dilation * dilation;
+        return {detail::with_shear(rubber, at, volumetric, step), 0.0, {}};
     }
 }
 
@@ -175,10 +189,10 @@ template <class L>
 /// Adds the contributions that do not depend on (I1, I2, J) only: principal stretches and fibres.
 template <class L>
 void add_terms_beyond_invariants(const Rubber<L>& rubber, const FiberAxes& axes, const Tensor& F, Wanted wanted,
-                                 PointResponse& out) {
+                                 PointResponse& out, const EnergyOfStep& step = {}) {
     if constexpr (StretchLaw<L>)
-        add_principal_response(rubber.law, F, wanted == Wanted::stress_and_tangent ? &out.tangent : nullptr,
-                               out.first_piola);
+        add_principal_response(detail::LawOfStep<L>{rubber.law, step}, F,
+                               wanted == Wanted::stress_and_tangent ? &out.tangent : nullptr, out.first_piola);
     if constexpr (MayHaveFibers<L>)
         if (rubber.fibers) add_fibers_response(*rubber.fibers, axes, F, wanted, out);
 }
@@ -283,6 +297,32 @@ template <Law L>
         const EnergyParts parts{shear, dilatation(rubber, principal_invariants(F), J)};
         return parts;
     }
+}
+
+/// W of the law without fibres and change of volume; 0 for laws without an isochoric energy.
+template <Law L>
+[[nodiscard]] double isochoric_energy(const Rubber<L>& rubber, const Tensor& F) {
+    if constexpr (StretchLaw<L>)
+        return rubber.law.isochoric_energy(isochoric_stretches(F));
+    else if constexpr (InvariantLaw<L>)
+        return shear_energy(rubber.law, principal_invariants(F), determinant(F));
+    else
+        return 0.0;
+}
+
+/// The derivative of step(W) by F.
+template <Law L>
+[[nodiscard]] Tensor isochoric_stress(const Rubber<L>& rubber, const Tensor& F, const EnergyOfStep& step) {
+    PointResponse point;
+    if constexpr (MayBeInelastic<L>) {
+        const detail::Variables at(principal_invariants(F), determinant(F));
+        apply_chain_rule(F, detail::with_shear(rubber, at, Dual<3>{}, step), Wanted::stress, point);
+        if constexpr (StretchLaw<L>)
+            add_principal_response(detail::LawOfStep<L>{rubber.law, step}, F, nullptr, point.first_piola);
+    } else {
+        throw std::logic_error("isochoric_stress: the law has no isochoric energy");
+    }
+    return point.first_piola;
 }
 
 }  // namespace soft::material

@@ -11,6 +11,7 @@
 
 #include "material/fibers.hpp"
 #include "material/form.hpp"
+#include "material/inelastic.hpp"
 #include "mesh/mesh.hpp"
 #include "model/measure.hpp"
 #include "model/obstacle.hpp"
@@ -39,6 +40,7 @@ struct Material {
     FiberFrame fiber_frame = FiberFrame::cartesian;  ///< used only by materials with fibres
     std::string source = "material";    ///< section of the design that defines it: "material" or "materials.<name>"
     std::optional<Fibers> fibers = {};  ///< fibres that the actuator family adds to the region; not those of the law
+    std::optional<material::Inelastic> inelastic = {};  ///< viscoelasticity and softening
 };
 
 /// Zero displacement of the marked components (x, y, z; axisymmetric: x, r, unused) on a named face.
@@ -173,11 +175,17 @@ struct Stage {
     std::vector<Until> until = {};  ///< in addition to load factor 1, which always ends the stage
     std::vector<SupplyTarget> supplies = {};            ///< one per entry of Case::loads
     std::vector<double> dead_loads = {}, motions = {};  ///< levels, one per entry of the lists in Case
+    /// Duration: loads change linearly in time, and the load factor is the share of it that has passed. All stages of a path have one,
+    /// or none.
+    std::optional<double> time_s = {};
+    int cycle = 1;  ///< of a repeated programme
 };
 
 /// Behaviour at a bifurcation and at contact.
 enum class Branch { stay, follow };
 enum class Contact { solve, stop, ignore };
+/// Response of viscoelastic materials on a path without times: infinitely slow, or infinitely fast.
+enum class Modulus { long_term, instantaneous };
 
 inline constexpr int max_frequencies = 50;
 
@@ -189,6 +197,9 @@ struct PathSettings {
     Contact contact = Contact::solve;
     double stretch_limit = 10;  ///< stretch_p99 beyond which a load that cannot be reached is abandoned
     int frequencies = 0;        ///< number of natural frequencies of each row of a static path, at most max_frequencies
+    int cycles = 1;             ///< repetitions that `stages` consists of
+    Modulus modulus = Modulus::long_term;
+    double time_accuracy = 1e-3;  ///< relative error of viscous stress by the size of the steps in time
 };
 
 /// A number of the design, by which solve differentiates the rows of the path (solver/sensitivities.hpp).
@@ -221,6 +232,18 @@ struct Case {
     std::optional<Dynamics> dynamics;         ///< nullopt: a static path
     std::vector<DesignParameter> parameters;  ///< of the derivatives of the rows
 };
+
+/// Whether a static path runs in time.
+[[nodiscard]] inline bool is_timed(const Case& input) {
+    return !input.dynamics && !input.path.stages.empty() && input.path.stages.front().time_s.has_value();
+}
+[[nodiscard]] inline bool runs_in_time(const Case& input) { return input.dynamics || is_timed(input); }
+
+/// Whether a material relaxes or softens.
+[[nodiscard]] inline bool is_inelastic(const Case& input) {
+    return std::ranges::any_of(input.materials,
+                               [](const Material& material) { return material.inelastic.has_value(); });
+}
 
 /// Whether a motion is that of an obstacle, not of a face.
 [[nodiscard]] inline bool moves_obstacle(const Case& input, const Motion& motion) {

@@ -28,6 +28,7 @@ struct StatePoint {
 struct StageStart {
     std::vector<double> pressures_Pa, volumes_m3, masses_kg;
     std::vector<double> dead_loads, motions;  ///< levels
+    double time_s = 0;
 };
 
 struct Checkpoint {
@@ -48,6 +49,7 @@ struct Checkpoint {
     double step = 0, first_step = 0;  ///< of q
     double dissipated_J = 0;          ///< set free by snaps, for the modelled part of the actuator
     std::vector<double> friction;     ///< fem::Contact::friction_start() at `last`
+    std::vector<double> internal;     ///< fem::InternalVariables::gather() at `last`
     double work_before_stage_J = 0;   ///< work of the loads before the stage, for the modelled part of the actuator
     double first_slope = 0;           ///< norm of the path tangent per load factor at the start of the stage
     /// [row of the stage x 32]: sketches of states and tangents (solver/visited_states.hpp).

@@ -28,6 +28,8 @@ enum class StopReason { done, limit_point, diverged, inverted_element, self_cont
 struct Step {
     int stage = 0;           ///< index into model::PathSettings::stages
     double load_factor = 0;  ///< fraction of the stage's load increment that is applied
+    std::optional<double> time_s =
+        {};                  ///< since the start, on a static path in time (Motion has that of a dynamic path)
     double pressure_Pa = 0;  ///< the leading load (model::leading_load)
     /// Enclosed by the cavities of the first load, whole actuator; empty without cavities.
     std::optional<double> volume_m3;
@@ -59,7 +61,8 @@ struct Step {
         double stored_J = 0, load_work_J = 0;  ///< strain energy; work of the loads since the start of the path
         /// Derivative of load_work_J along the path, in equilibrium also of stored_J. Absent in older files.
         std::optional<double> tangent_J = {};
-        /// Set free by snaps (solver/snap.hpp) since the start of the path; absent where nothing can touch, and in older files.
+        /// Set free by snaps (solver/snap.hpp), and by inelastic materials, since the start of the path; absent where there is neither,
+        /// and in older files.
         std::optional<double> dissipated_J = {};
         /// Dissipated by friction since the start of the path; absent without friction.
         std::optional<double> friction_J = {};

@@ -42,7 +42,10 @@ material::AnyRubber make_rubber(const Material& material) {
                                                .bulk_modulus_Pa = material.bulk_modulus_Pa,
                                                .volumetric = material.volumetric,
                                                .fiber_frame = material.fiber_frame,
-                                               .fibers = material.fibers});
+                                               .fibers = material.fibers,
+                                               .inelastic = material.inelastic});
+    if (material.strain == Strain::small && material.inelastic)
+        throw Error(ExitCode::bad_input, "strain", "linear rubber neither relaxes nor softens", "use strain: finite");
     return material.strain == Strain::small ? small_strain(rubber, material.bulk_modulus_Pa) : rubber;
 }
 

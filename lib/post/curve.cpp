@@ -185,13 +185,14 @@ void add_on_demand(std::vector<Entry>& entries, const model::Case& model) {
         return entries.back();
     };
     const auto tangent = [](const Step& s) { return s.energies->tangent_J; };
-    add("stored_energy", millijoule, "strain energy stored in the whole actuator", [](const Step& s) {
-        return s.energies ? Value(s.energies->stored_J) : std::nullopt;
-    }).slope_SI = tangent;
+    Entry& stored = add("stored_energy", millijoule, "strain energy stored in the whole actuator",
+                        [](const Step& s) { return s.energies ? Value(s.energies->stored_J) : std::nullopt; });
+    if (!model::is_inelastic(model)) stored.slope_SI = tangent;
     add("load_work", millijoule, "work done by the loads since the start of the path", [](const Step& s) {
         return s.energies ? Value(s.energies->load_work_J) : std::nullopt;
     }).slope_SI = tangent;
-    add("dissipated_energy", millijoule, "energy set free by snaps in contact since the start of the path",
+    add("dissipated_energy", millijoule,
+        "energy dissipated by inelastic rubber and by snaps in contact since the start of the path",
         [](const Step& s) { return s.energies ? s.energies->dissipated_J : std::nullopt; });
     add("friction_work", millijoule, "energy dissipated by friction since the start of the path",
         [](const Step& s) { return s.energies ? s.energies->friction_J : std::nullopt; });
@@ -253,12 +254,16 @@ std::vector<Entry> entries_of(const model::Case& model, std::span<const Step> st
     entries.push_back({plain("step", Role::counter, "number of the row"),
                        [first = steps.data()](const Step& step) { return static_cast<double>(&step - first); }});
     entries.push_back({coordinate("time", second, Source::time, "time since the undeformed state at rest"),
-                       [](const Step& step) { return step.motion ? Value(step.motion->time_s) : std::nullopt; },
+                       [](const Step& step) { return step.motion ? Value(step.motion->time_s) : step.time_s; },
                        [](const Step&) { return 1; },  // the other slopes are derivatives by time
                        true});
+    const int cycles = model.path.cycles, stages = static_cast<int>(model.path.stages.size()) / cycles;
+    if (cycles > 1)
+        entries.push_back({plain("cycle", Role::stage, "number of the cycle, from 1, if the stages are repeated"),
+                           [=](const Step& step) { return step.stage / stages + 1; }});
     if (model.path.stages.size() > 1)
         entries.push_back({plain("stage", Role::stage, "number of the stage, from 1, if the path has several"),
-                           [](const Step& step) { return step.stage + 1; }});
+                           [=](const Step& step) { return step.stage % stages + 1; }});
     add_coordinates(entries, model);
     add_errors(entries);
     for (std::size_t i = 0; !steps.empty() && i < steps.front().frequencies_Hz.size(); ++i)
@@ -292,7 +297,9 @@ void check(const model::Case& model, std::span<const Step> steps) {
                 throw Error(ExitCode::bad_input, location, std::string{what} + " recorded at some of the steps only");
         };
         check_same(step.volume_m3.has_value() == first.volume_m3.has_value(), "the cavity volume is");
-        check_same(step.motion.has_value() == first.motion.has_value(), "the time is");
+        check_same(
+            step.motion.has_value() == first.motion.has_value() && step.time_s.has_value() == first.time_s.has_value(),
+            "the time is");
         check_same(step.frequencies_Hz.size() == first.frequencies_Hz.size(), "the natural frequencies are");
         const bool has_errors = first.pressure_error_Pa.has_value();
         check_same(step.pressure_error_Pa.has_value() == has_errors &&

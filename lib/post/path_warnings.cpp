@@ -120,7 +120,9 @@ void check_crushed(const model::Case& solved, const PathSummary& path, Warnings&
 void check_snaps(const PathSummary& path, Warnings& warnings) {
     constexpr double noticeable = 0.01;
     const auto& energies = path.last.energies;
-    if (!energies || !(energies->dissipated_J.value_or(0) > noticeable * std::abs(energies->load_work_J))) return;
+    if (path.is_inelastic || !energies ||
+        !(energies->dissipated_J.value_or(0) > noticeable * std::abs(energies->load_work_J)))
+        return;
     warnings.push_back("where edges slip or creases close, contact snaps and sets energy free, " +
                        core::rounded_text(100 * *energies->dissipated_J / std::abs(energies->load_work_J), 2) +
                        " % of the work of the loads (dissipated_energy): compare another mesh.size");

@@ -19,6 +19,7 @@ struct PathSummary {
     std::span<const model::LimitPoint> limit_points = {};
     std::optional<int> first_crushed_row = {};  ///< with det F below crushed_jacobian at a point
     double min_jacobian = 1;
+    bool is_inelastic = false;  ///< the rubber itself dissipates energy
 };
 
 /// det F below this is not a physical state of nearly incompressible rubber but a local error of the mesh; the shipped designs stay

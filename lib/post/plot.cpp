@@ -53,6 +53,9 @@ std::size_t named_column(const Curve& curve, const std::string& name, const char
     throw Error(ExitCode::usage, option, "the curve has no " + core::quoted(name), core::did_you_mean(name, known));
 }
 
+/// A path in time without inertia is drawn as any path: its loops show what the rubber dissipates.
+bool is_motion(const Curve& curve) { return curve.find("kinetic_energy") != nullptr; }
+
 /// The axes of the first series in another series.
 PlotAxes same_axes(const PlotSeries& first, const PlotAxes& axes, const PlotSeries& other) {
     const auto same = [&](std::size_t column) {
@@ -100,13 +103,13 @@ constexpr const char* path_palette =
 
 /// The axis starts at 0 if the curve starts near 0 and stays positive, even if error bands extend below 0.
 std::string from_zero(const char* range, std::span<const std::array<double, 2>> points, std::size_t i) {
-    constexpr double max_start = 0.02;  // relative to the largest value
+    constexpr double max_start = 0.02, rounding = 1e-6;  // relative to the largest value
     double low = 0, high = 0;
     for (const auto& point : points) {
         low = &point == points.data() ? point[i] : std::min(low, point[i]);
         high = std::max(high, point[i]);
     }
-    return low >= 0 && low < max_start * high ? std::string{"set "} + range + " [0:*]\n" : "";
+    return low >= -rounding * high && low < max_start * high ? std::string{"set "} + range + " [0:*]\n" : "";
 }
 
 std::string heading(const Curve& curve, const PlotAxes& axes, const PlotRequest& request, PictureFormat format) {
@@ -143,6 +146,8 @@ void add_path(Script& script, const Blocks& blocks, const PlotAxes& axes, std::s
                "with points " + script.points(9, 2.2) + " linecolor rgb '#b00000' notitle");
     script.add("bifurcations" + n, blocks.bifurcations,
                "with points " + script.points(5, 1.8) + " linecolor rgb '#b05a00' notitle");
+    script.add("arrows" + n, blocks.arrows,
+               "with vectors head filled size screen 0.02,20,60 fixed linewidth 1" + colour + " notitle");
     legend.unstable |= !blocks.unstable.empty();
     legend.band |= !blocks.band.empty();
     legend.tolerances |= !blocks.tolerances.empty();
@@ -158,8 +163,7 @@ void add_legend(Script& script, std::span<const PlotSeries> series, const PlotAx
         return script.points(style.point, 1.5) + " linewidth 2 linecolor rgb '" + style.colour + "'";
     };
     if (series.size() == 1)
-        script.legend(shown + sign(0),
-                      series[0].curve.find(Source::time) != nullptr ? "'motion'" : "'converged steps'");
+        script.legend(shown + sign(0), is_motion(series[0].curve) ? "'motion'" : "'converged steps'");
     else
         for (std::size_t i = 0; i < series.size(); ++i) script.legend(shown + sign(i), gnuplot_text(series[i].label));
     if (legend.unstable) script.legend("with lines linewidth 2 dashtype (8,6) linecolor rgb '#404040'", "'unstable'");
@@ -174,7 +178,7 @@ void add_legend(Script& script, std::span<const PlotSeries> series, const PlotAx
 }  // namespace
 
 PlotAxes plot_axes(const Curve& curve, const PlotRequest& request, const Measured* measured) {
-    const bool moves = curve.find(Source::time) != nullptr;
+    const bool moves = is_motion(curve);
     const auto usual_x = [&] {
         return moves ? curve.index_of(*curve.find(Source::time)) : output_column(curve, measured);
     };

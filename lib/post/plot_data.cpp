@@ -110,6 +110,30 @@ void add_markers(const Curve& curve, const PlotAxes& axes, std::size_t max_marke
     }
 }
 
+/// The direction of travel in the middle of each of the first stages.
+void add_arrows(const Curve& curve, const Path& path, const PlotAxes& axes, Blocks& blocks) {
+    constexpr int max_arrows = 12;
+    constexpr double half_length = 0.02;  // of an interval
+    const Column* stage = curve.find("stage");
+    if (stage == nullptr || stage->role != Role::stage) return;
+    const auto s = path.row_parameters();
+    const auto is_last_of_stage = [&](std::size_t i) {
+        return i + 1 == s.size() || stage->values[path.rows()[i + 1]] != stage->values[path.rows()[i]];
+    };
+    int arrows = 0;
+    for (std::size_t first = 0, i = 1; i < s.size() && arrows < max_arrows; ++i) {
+        if (!is_last_of_stage(i)) continue;
+        const double middle = 0.5 * (s[first] + s[i]);
+        const auto next = std::upper_bound(s.begin(), s.end(), middle);
+        const double reach = half_length * (*next - *std::prev(next));
+        const std::vector<double> from = path.at(middle - reach), to = path.at(middle + reach);
+        first = i;
+        if (from[axes.x] == to[axes.x] && from[axes.y] == to[axes.y]) continue;
+        blocks.arrows += line({from[axes.x], from[axes.y], to[axes.x] - from[axes.x], to[axes.y] - from[axes.y]});
+        ++arrows;
+    }
+}
+
 /// Adds a line "x y label" and the label for a point that has both coordinates.
 void add_labelled(const Column& x, const Column& y, const model::LimitPoint& at, std::string& block,
                   std::vector<PlotLabel>& labels) {
@@ -132,6 +156,7 @@ Blocks make_blocks(const PlotSeries& series, const PlotAxes& axes, std::size_t m
     blocks.band = band_outline(curve, path, axes, {error_of(curve, x), error_of(curve, y)}, blocks.edges);
     blocks.tolerances = band_outline(curve, path, axes, tolerances_of(curve, axes), blocks.edges);
     add_markers(curve, axes, max_markers, blocks);
+    add_arrows(curve, path, axes, blocks);
     for (const model::LimitPoint& limit : series.end.limit_points)
         add_labelled(x, y, limit, blocks.limits, blocks.labels);
     for (const model::Bifurcation& branch : series.end.bifurcations)

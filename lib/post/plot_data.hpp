@@ -19,6 +19,7 @@ struct Blocks {
     std::string tolerances;                     ///< closed outline of the band of tolerances
     std::string bars;                           ///< "x y xlow xhigh ylow yhigh" at the markers
     std::string limits, bifurcations;           ///< "x y label"
+    std::string arrows;                         ///< "x y dx dy" in the middle of each stage, where there are several
     std::vector<PlotLabel> labels;              ///< labels of limit points and bifurcations
 };
 

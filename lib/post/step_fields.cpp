@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <concepts>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <variant>
 
@@ -36,7 +37,8 @@ LocalState zero_state() {
 }
 
 template <class L>
-LocalState local_state(const material::Rubber<L>& rubber, material::Form form, const PointState& point) {
+LocalState local_state(const material::Rubber<L>& rubber, material::Form form, const PointState& point,
+                       const material::PointStep* inelastic) {
     material::PointResponse response;
     if constexpr (material::StressLaw<L>) {
         material::displacement_response(rubber, point.axes, point.F_law, material::Wanted::stress, response);
@@ -53,6 +55,12 @@ LocalState local_state(const material::Rubber<L>& rubber, material::Form form, c
     if constexpr (std::same_as<L, material::LinearElastic>) {
         state.first_piola_Pa = state.cauchy_Pa = response.first_piola;
         return state;
+    }
+    if (rubber.inelastic && inelastic != nullptr) {
+        const Tensor elastic = material::isochoric_stress(rubber, point.F_law, {}),
+                     whole = multiply(point.F_law, material::full(inelastic->stress));
+        for (std::size_t m = 0; m < 9; ++m) response.first_piola[m] += whole[m] - elastic[m];
+        state.energy_J_m3 += inelastic->stored_change_J_m3;
     }
     const double law_jacobian = determinant(point.F_law);
     const Tensor cofactor_F = cofactor(point.F);
@@ -122,8 +130,9 @@ private:
             if (!(determinant(sample.F) > 0.0))
                 throw Error(ExitCode::bad_input, "/fields/displacement",
                             "cell " + std::to_string(cell) + " is inverted (det F <= 0)", "solve the case again");
-            out.points.push_back(
-                std::visit([&](const auto& r) { return local_state(r, model_.formulation, sample); }, rubber));
+            const auto* inelastic = state_.inelastic.empty() ? nullptr : &state_.inelastic[out.points.size()];
+            out.points.push_back(std::visit(
+                [&](const auto& r) { return local_state(r, model_.formulation, sample, inelastic); }, rubber));
             out.point_volumes_m3.push_back(sample.weight_m3);
             add_scaled(mean, sample.weight_m3, out.points.back());
             volume += sample.weight_m3;
@@ -182,6 +191,8 @@ void check(const model::Case& model, const NodalState& state) {
     if (state.displacement_m.size() != 3 * points)
         throw Error(ExitCode::bad_input, "/fields/displacement",
                     std::to_string(state.displacement_m.size()) + " values for " + std::to_string(points) + " points");
+    if (model::is_inelastic(model) && state.inelastic.empty())
+        throw std::logic_error("step_fields: inelastic rubber without its history");
     const bool mixed = model.formulation == model::Formulation::mixed;
     if (state.pressure_Pa.size() != (mixed ? points : 0))
         throw Error(

@@ -17,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#include "material/point_history.hpp"
 #include "model/case.hpp"
 #include "post/local_state.hpp"
 #include "post/region_points.hpp"
@@ -28,6 +29,7 @@ struct NodalState {
     std::span<const double> displacement_m;  ///< [point, 3]
     std::span<const double> pressure_Pa;     ///< [point], the pressure unknown; empty if the formulation has none
     std::vector<Vector3> shifts = {};        ///< displacement of each obstacle (post/contact_pressure.hpp)
+    std::vector<material::PointStep> inelastic = {};  ///< RubberHistory::at the state; empty for elastic rubber
 };
 
 struct StepFields {

@@ -94,8 +94,35 @@ std::vector<ErrorBar> bars_of(const Measure& measure, const Rows& reported, cons
     return error_bars(rows, around.walls);
 }
 
+/// On a path in time rows are compared at equal times: of the load and then of each output over the number of the row.
+std::vector<ErrorBar> set_bars_in_time(Rows& reported, const NeighbourLevels& around) {
+    std::vector<ErrorBar> first;
+    const std::size_t outputs = reported.front().step.outputs.size();
+    for (RowState& row : reported) row.step.output_errors.clear();
+    for (std::size_t k = 0; k <= outputs; ++k) {
+        const auto point = [k](const Rows& rows, std::size_t i) {
+            const model::Step& step = rows[i].step;
+            return CurvePoint{k == 0 ? step.pressure_Pa : step.outputs[k - 1], static_cast<double>(i)};
+        };
+        std::vector<LevelRow> rows;
+        for (std::size_t i = 0; i < reported.size(); ++i) {
+            rows.push_back({point(reported, i), point(around.finer, i), {}, {}, {0.0, 0.0}});
+            if (!around.before.empty()) rows.back().before = point(around.before, i);
+            if (!around.earlier.empty()) rows.back().earlier = point(around.earlier, i);
+        }
+        auto bars = error_bars(rows, around.walls);
+        for (std::size_t i = 0; i < bars.size(); ++i) {
+            if (k == 0) reported[i].step.pressure_error_Pa = bars[i].load;
+            if (k > 0) reported[i].step.output_errors.push_back(bars[i].load);
+        }
+        if (k <= 1) first = std::move(bars);
+    }
+    return first;
+}
+
 /// Stores the bars in the reported rows; returns those of the first measure.
 std::vector<ErrorBar> set_bars(Rows& reported, const NeighbourLevels& around) {
+    if (reported.front().step.time_s) return set_bars_in_time(reported, around);
     std::vector<ErrorBar> first;
     const std::size_t outputs = reported.front().step.outputs.size();
     for (RowState& row : reported) row.step.output_errors.clear();
@@ -111,12 +138,21 @@ std::vector<ErrorBar> set_bars(Rows& reported, const NeighbourLevels& around) {
     return first;
 }
 
-double max_relative_bar(const Rows& rows, const std::vector<ErrorBar>& bars) {
-    double max_load = 0, worst = 0;
-    for (const RowState& row : rows) max_load = std::max(max_load, std::abs(row.step.pressure_Pa));
-    if (!(max_load > 0.0)) return 0;
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        worst = std::max(worst, bars[i].load / std::max(std::abs(rows[i].step.pressure_Pa), small_load * max_load));
+/// Of the load, relative to it; on a path in time, where the load may be prescribed, the largest of it and of all outputs.
+double max_relative_bar(const Rows& rows) {
+    double worst = 0;
+    const auto consider = [&](auto&& value_of, auto&& bar_of) {
+        double largest = 0;
+        for (const RowState& row : rows) largest = std::max(largest, std::abs(value_of(row.step)));
+        if (!(largest > 0.0)) return;
+        for (const RowState& row : rows)
+            worst = std::max(worst, bar_of(row.step) / std::max(std::abs(value_of(row.step)), small_load * largest));
+    };
+    consider([](const model::Step& step) { return step.pressure_Pa; },
+             [](const model::Step& step) { return step.pressure_error_Pa.value_or(0.0); });
+    for (std::size_t k = 0; rows.front().step.time_s && k < rows.front().step.outputs.size(); ++k)
+        consider([k](const model::Step& step) { return step.outputs[k]; },
+                 [k](const model::Step& step) { return step.output_errors[k]; });
     return worst;
 }
 
@@ -272,7 +308,7 @@ Accuracy refine_path(fem::System& given, Rows rows, model::PathEnd& end, const A
         const Walls walls = walls_of(input, result.level);
         const std::vector<ErrorBar> bars = set_bars(result.rows, {finer, before, earlier, walls});
         result.has_bars = true;
-        result.reached = max_relative_bar(result.rows, bars);
+        result.reached = max_relative_bar(result.rows);
         result.doubts = doubts_of(result.level, walls, bars);
         result.finer.clear();
         for (const RowState& row : finer) result.finer.push_back(row.step);

@@ -13,6 +13,9 @@ namespace soft::solver {
 
 namespace {
 
+/// Step of differences in time, of the shortest relaxation time.
+constexpr double time_difference = 1e-5;
+
 model::SolverSettings with_choice(const fem::System& system, model::SolverSettings settings) {
     settings.linear = fem::choose_linear(settings.linear, system.input(), system.dofs().total);
     return settings;
@@ -29,7 +32,8 @@ BorderedSystem::BorderedSystem(fem::System& fem_system, const model::SolverSetti
       settings(with_choice(fem_system, given)),
       K(fem_system.make_matrix()),
       linear(K, symmetry_of(fem_system), settings.linear, settings.threads),
-      R(fem_system.make_vector()) {
+      R(fem_system.make_vector()),
+      R_of_forces_(fem_system.make_vector()) {
     const bool matrix_free = settings.linear.method == model::LinearMethod::jacobian_free;
     fem::configure_preconditioner(linear, system, K);
     if (matrix_free || given.tangent == model::TangentSource::finite_difference)
@@ -61,6 +65,7 @@ fem::Evaluation BorderedSystem::evaluate_at(const State& state, Assemble what) {
     const auto levels = loads_->levels(state.load_factor, state.pressures_Pa);
     const Mat matrix = matrix_for(what);
     auto evaluation = system.evaluate(state.x, levels, R, matrix, forces);
+    has_time_force_ = false;
     if (evaluation.pattern_grew && matrix == K) {
         system.contact().couple();
         rebuild_pattern();
@@ -71,7 +76,22 @@ fem::Evaluation BorderedSystem::evaluate_at(const State& state, Assemble what) {
         add_drag(state, matrix);
     else if (matrix == K && evaluation.admissible())
         assembled_at_ = copy_of(state);
+    if (loads_->rate().time_s > 0.0 && system.internal().shortest_time_s() > 0.0) linalg::copy(R, R_of_forces_);
     return evaluation;
+}
+
+/// A one-sided difference in time at fixed unknowns, which the state at the start of a step allows too.
+void BorderedSystem::add_time_force(const State& state) {
+    const double duration_s = loads_->rate().time_s, delta_s = time_difference * system.internal().shortest_time_s();
+    if (duration_s == 0.0 || delta_s == 0.0 || has_time_force_) return;
+    has_time_force_ = true;
+    const auto levels = loads_->levels(state.load_factor, state.pressures_Pa);
+    auto later = levels;
+    later.time_s += delta_s;
+    static_cast<void>(system.evaluate(state.x, later, R, nullptr));
+    linalg::add(R, -1.0, R_of_forces_);
+    linalg::add(forces.back().out, -duration_s / delta_s, R);
+    system.prescribe(levels);
 }
 
 void BorderedSystem::set_drag(double drag, Vec origin) {

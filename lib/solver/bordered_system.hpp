@@ -43,6 +43,8 @@ public:
     [[nodiscard]] fem::Evaluation evaluate_at(const State& state, Assemble what = Assemble::tangent);
     /// Whether the columns' forces and K were assembled at exactly this state.
     [[nodiscard]] bool is_assembled_at(const State& state) const;
+    /// Adds to -dR/dlambda, at the state last evaluated, what the internal variables change in time. Overwrites R.
+    void add_time_force(const State& state);
     /// Change of R when the unknowns change in their last digits. Overwrites R.
     [[nodiscard]] double change_by_digits(const State& state, const fem::LoadLevels& levels);
 
@@ -94,6 +96,8 @@ private:
 
     double drag_ = 0;
     linalg::Vector drag_weights_, drag_origin_;  // 0 at pressure unknowns
+    linalg::Vector R_of_forces_;                 // on a path in time, R where the forces were evaluated last
+    bool has_time_force_ = false;                // of those forces
     const StageLoads* loads_ = nullptr;
     bool loads_move_ = false;
     linalg::Matrix spare_;  // for columns that need a tangent while K is kept

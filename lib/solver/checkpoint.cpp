@@ -91,6 +91,7 @@ void Recorder::keep_checkpoint(const PathState& path) const {
     checkpoint.first_step = path.first_step;
     checkpoint.dissipated_J = path.dissipated_J;
     checkpoint.friction = corrector_.system().contact().friction_start();
+    checkpoint.internal = corrector_.system().internal().gather();
     checkpoint.work_before_stage_J = path.work_before_J;
     checkpoint.first_slope = path.first_slope;
     for (const VisitedState& state : path.visited)
@@ -119,6 +120,7 @@ void restore(const model::Checkpoint& from, Corrector& corrector, PathState& pat
     system.prescribe(path.last->levels);
     if (!system.contact().start_friction(path.last->state.x, from.friction))
         refuse_checkpoint("its friction does not fit the case");
+    if (!system.internal().restore(from.internal)) refuse_checkpoint("its internal variables do not fit the case");
     path.work_before_J = from.work_before_stage_J;
     path.first_slope = from.first_slope;
     for (auto next = from.visited.begin(); next != from.visited.end(); next += 2 * sketch_size) {

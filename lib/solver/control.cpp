@@ -43,6 +43,7 @@ bool is_near_maximum(const PathState& path) {
 
 Constraint first_control(const fem::System& system, const model::Stage& stage) {
     const model::Case& input = system.input();
+    if (stage.time_s) return {ConstraintKind::load_factor};
     switch (stage.control) {
         case Control::automatic:
         case Control::pressure: return {ConstraintKind::load_factor};
@@ -100,7 +101,7 @@ double first_step(const model::SolverSettings& settings, const Constraint& contr
 
 std::optional<ControlChange> better_control(const fem::System& system, const PathState& path) {
     const model::SolverSettings& settings = system.input().solver;
-    if (path.control.kind != ConstraintKind::load_factor) return std::nullopt;
+    if (path.control.kind != ConstraintKind::load_factor || stage_of(system.input(), path).time_s) return std::nullopt;
     if (stage_of(system.input(), path).control != Control::automatic) {
         if (settings.steps != model::StepRule::error_adaptive || !is_near_maximum(path)) return std::nullopt;
         return ControlChange{{ConstraintKind::arc}, "the load nears a maximum"};
@@ -116,7 +117,7 @@ std::optional<ControlChange> better_control(const fem::System& system, const Pat
 }
 
 std::optional<ControlChange> control_after_failure(const fem::System& system, const PathState& path, bool too_short) {
-    if (path.control.kind == ConstraintKind::arc) return std::nullopt;
+    if (path.control.kind == ConstraintKind::arc || stage_of(system.input(), path).time_s) return std::nullopt;
     const bool is_free = path.control.kind == ConstraintKind::load_factor &&
                          stage_of(system.input(), path).control == Control::automatic;
     if (!is_free && !too_short && path.attempts.failures < failures_before_other_control) return std::nullopt;

@@ -210,6 +210,7 @@ fem::LoadLevels MotionEquations::levels(double time_s, std::span<const double> l
         return share_at(time_function, dynamics_.duration_s, time_s);
     });
     for (std::size_t k = 0; k < lines_.count(); ++k) levels.pressures_Pa[lines_.load(k)] = line_pressures_Pa[k];
+    levels.time_s = time_s;
     return levels;
 }
 

@@ -298,7 +298,7 @@ Events events_before(const PathPoint& to, Corrector& corrector, const PathState&
                                   (slope(from) * path.direction() < 0.0 ? "minimum" : "maximum");
     }
     const auto before = branch_index(path, from), after = branch_index(path, to);
-    if (before && after && *before != *after)
+    if (before && after && *before != *after && !stage_of(corrector.input(), path).time_s)
         if (auto event = locate_bifurcation(corrector, path, listeners, to)) {
             event->modes = std::abs(*after - *before);
             events.list.push_back(std::move(*event));

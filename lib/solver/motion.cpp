@@ -234,6 +234,10 @@ void MotionFollower::accept(double step_s, std::optional<double> error) {
         if (history_.size() > static_cast<std::size_t>(order_)) history_.pop_back();
     }
     std::swap(last_, next_);
+    if (!system_.internal().is_empty()) {
+        system_.prescribe(equations_.levels(last_.time_s, equations_.lines().pressures(last_.x, last_.masses_kg)));
+        system_.accept_step(last_.x);
+    }
     if (starter_ && steps_ == steps_of_starter) {
         starter_.reset();
         with_method(method_, [&](auto& method) { method.start(last_); });

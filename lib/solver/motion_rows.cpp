@@ -41,7 +41,7 @@ void MotionFollower::append() {
     const double whole = 1.0 / input_.model_fraction;
     const double stored_J = solver::read_stretches(system_, last_.x, step).stored_energy_J;
     step.motion = {last_.time_s, whole * kinetic_energy(equations_, last_.v), whole * stored_J, whole * load_work_J_,
-                   whole * damping_work_J_};
+                   whole * (damping_work_J_ + system_.internal().dissipated_J())};
     if (auto problem = check_plausibility(step)) return finish(model::StopReason::diverged, std::move(*problem));
     iterations_since_row_ = 0;
     factorizations_at_row_ = factorizations;

@@ -66,7 +66,7 @@ void scale(PathTangent& tangent, double factor) {
 /// method for semismooth equations: Qi and Sun, Math. Programming 58 (1993) 353). Full steps are tried before the correction fails.
 NewtonResult Newton::correct(const Constraint& constraint, double target, State& state) {
     const bool may_jump = bordered_.settings.line_search == model::LineSearch::backtracking &&
-                          (bordered_.system.has_fibers() || bordered_.system.contact().has_friction());
+                          (bordered_.system.has_kinks() || bordered_.system.contact().has_friction());
     if (!may_jump) return correct_by(bordered_.settings.line_search, constraint, target, state);
     State again = copy_of(state);
     NewtonResult result = correct_by(bordered_.settings.line_search, constraint, target, state);

@@ -82,6 +82,7 @@ std::optional<PathTangent> Newton::tangent(const Constraint& constraint, const S
     else if (!bordered_.evaluate_at(state).admissible())
         return std::nullopt;
     bordered_.differentiate(state);
+    bordered_.add_time_force(state);
     if (const auto failed = solve_tangent_columns()) {
         tangent_end_ = *failed;
         return std::nullopt;

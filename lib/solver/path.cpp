@@ -122,12 +122,16 @@ void PathFollower::step() {
     const bool has_friction = system_.contact().has_friction();
     const bool stays_in_contact = point->touches && path_.last->touches && !has_friction;
     const bool may_jump =
-        stays_in_contact || ((system_.has_fibers() || has_friction) && path_.attempts.failures < failures_before_kink);
+        stays_in_contact || ((system_.has_kinks() || has_friction) && path_.attempts.failures < failures_before_kink);
     if (may_jump && breaks_energy_balance(corrector_, path_, *point)) return recover();
     const double taken = point->q - path_.last->q;
     if (shorten_for_the_curve(system_, path_, aim, error.larger(), *point))
         return report_row("step of " + short_text(taken) + " is too long for the curve (predictor error " +
                           short_text(error.larger()) + "): repeated with a shorter step");
+    const auto late = error_in_time(system_, path_, *point);
+    if (shorten_for_time(system_, path_, late, *point))
+        return report_row("step of " + short_text(taken) + " has " + short_text(*late) +
+                          " times the error in time allowed: repeated with a shorter step");
     path_.attempts = {};
     report_row(describe(*point) + row_text(*point, error, corrector_.last_result().iterations));
 
@@ -147,6 +151,7 @@ void PathFollower::step() {
     if (auto stop = stop_at_row(path_, input_)) return finish(std::move(*stop));
 
     path_.step = next_step(input_.solver, path_, aim, error, corrector_.last_result());
+    if (limits_steps_in_time(system_, path_)) path_.step = std::min(path_.step, longest_in_time(path_, late));
     if (const auto change = better_control(system_, path_)) change_control(*change);
 }
 
@@ -160,7 +165,7 @@ void PathFollower::go_from(PathPoint point) {
     path_.last = std::move(point);
     system_.prescribe(path_.last->levels);
     let_contact_rest(system_, *path_.last, *path_.last);
-    system_.contact().start_friction(path_.last->state.x);
+    system_.accept_step(path_.last->state.x);
 }
 
 bool PathFollower::pass_events(Events events) {

@@ -108,7 +108,7 @@ std::optional<Stop> stop_before_step(const PathState& path, fem::System& system)
     if (path.rows > limit)
         return Stop{StopReason::step_limit, core::counted(limit, "step") + (limit == 1 ? " was" : " were") +
                                                 " not enough; increase solver.step_limit"};
-    if (!is_stalled(path, input.solver.steps)) return std::nullopt;
+    if (stage_of(input, path).time_s || !is_stalled(path, input.solver.steps)) return std::nullopt;
     const std::string where = ": the last " + std::to_string(stalled_rows) +
                               " steps cover less than 1 % of its length, at " + state_text(*path.last, input);
     if (is_past_limit_point(path))
@@ -120,6 +120,7 @@ std::optional<Stop> stop_before_step(const PathState& path, fem::System& system)
 }
 
 std::optional<Stop> stop_at_row(const PathState& path, const model::Case& input) {
+    if (stage_of(input, path).time_s) return std::nullopt;  // time goes on, also where nothing moves
     const std::string here = state_text(*path.last, input);
     if (std::string returned = return_text(path, here); !returned.empty())
         return Stop{StopReason::limit_point, std::move(returned)};
@@ -149,6 +150,10 @@ Stop stop_without_step(const PathState& path, fem::System& system, const NewtonR
     if (auto inverted = inverted_stop(path, system)) return std::move(*inverted);
     const bool touches = path.last->touches;
     const std::string problem = "no equilibrium found beyond " + here + (touches ? ", where surfaces touch" : "");
+    if (stage_of(input, path).time_s)
+        return {StopReason::diverged, problem +
+                                          ", as where a prescribed pressure passes its limit; prescribe the volume or "
+                                          "the mass of gas in place of the pressure"};
     if (is_past_limit_point(path))
         return {StopReason::limit_point,
                 "the requested load is not reached: the path is past the limit point, and " + problem + end_earlier};

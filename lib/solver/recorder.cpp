@@ -57,8 +57,9 @@ void Recorder::append(PathState& path, PathPoint& point) {
     step.stable = is_stable(path, point);
     step.stable_under_control = is_stable_under_control(path, point);
     read_rubber(system, point, direction, step);
-    if (step.energies && !system.contact().is_empty())
-        step.energies->dissipated_J = path.dissipated_J / system.input().model_fraction;
+    if (step.energies && (step.energies->dissipated_J || !system.contact().is_empty()))
+        step.energies->dissipated_J =
+            step.energies->dissipated_J.value_or(0.0) + path.dissipated_J / system.input().model_fraction;
     if (frequencies_) step.frequencies_Hz = frequencies_->evaluate(point.state.x, point.levels);
     if (sensitivities_ != nullptr) sensitivities_->evaluate(corrector_, path, point, step);
     if (point.is_singular) std::ranges::fill(step.derivatives, 0.0);

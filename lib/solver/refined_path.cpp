@@ -46,7 +46,7 @@ State RefinedPath::carry_over(const RowState& coarse) {
     SOFT_PETSC(VecZeroEntries(direction_));
     system_.fields().spread(carried(coarse.tangent), direction_);
     nearest_ = {};
-    if (const double length = linalg::norm(direction_); length > 0.0) {
+    if (const double length = linalg::norm(direction_); length > 0.0 && !coarse.step.time_s) {
         SOFT_PETSC(VecScale(direction_, 1.0 / length));
         nearest_ = {ConstraintKind::arc, 0, origin_, direction_, linalg::norm(origin_)};
     }
@@ -81,7 +81,7 @@ std::optional<State> RefinedPath::equilibrium(const RowState& coarse, RowPositio
         return state;
     }
     State state = carry_over(coarse);
-    if (nearest_.kind != ConstraintKind::arc) {  // a stage in which nothing changes
+    if (nearest_.kind != ConstraintKind::arc) {  // a stage in which nothing changes, or in time
         if (corrector_.correct(nearest_, coarse.step.load_factor, state)) return state;
         return std::nullopt;
     }
@@ -117,13 +117,14 @@ std::optional<RowState> RefinedPath::solve(const RowState& coarse, RowPosition p
     row.step.newton_iterations = work().iterations - before.iterations;
     row.step.factorizations = work().factorizations - before.factorizations;
     read_rubber(system_, point, 1.0, row.step);
-    if (row.step.energies && coarse.step.energies)  // snaps are found on the first mesh alone
+    if (row.step.energies && coarse.step.energies &&
+        !row.step.energies->dissipated_J)  // snaps are found on the first mesh alone
         row.step.energies->dissipated_J = coarse.step.energies->dissipated_J;
     if (frequencies_ && keep == Keep::fields)  // a mesh that is only compared reports no rows
         row.step.frequencies_Hz = frequencies_->evaluate(point.state.x, point.levels);
     if (keep == Keep::fields) row = row_state(system_, point, 1.0, std::move(row.step));
     system_.prescribe(point.levels);
-    system_.contact().start_friction(point.state.x);
+    system_.accept_step(point.state.x);
     last_ = std::move(point);
     return row;
 }

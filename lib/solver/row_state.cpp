@@ -27,6 +27,11 @@ double leading_of(const model::Case& input, const LoadLevels& levels, double loa
     throw std::logic_error("leading_of: unknown load");
 }
 
+/// Of the tangents in a row: on a path in time, slopes are by time.
+double scale_of(const PathPoint& point) {
+    return point.level_slopes.time_s > 0.0 ? 1.0 / point.level_slopes.time_s : 1.0;
+}
+
 }  // namespace
 
 double leading_of(const model::Case& input, const StageLoads& loads, const State& state) {
@@ -35,7 +40,7 @@ double leading_of(const model::Case& input, const StageLoads& loads, const State
 
 StageStart stage_start_at(const model::Case& input, const StageLoads& loads, const PathPoint& point) {
     const LoadLevels levels = loads.levels(point.state.load_factor, point.state.pressures_Pa);
-    StageStart start{levels.pressures_Pa, point.load_volumes_m3, {}, levels.dead_loads, levels.motions};
+    StageStart start{levels.pressures_Pa, point.load_volumes_m3, {}, levels.dead_loads, levels.motions, levels.time_s};
     for (std::size_t i = 0; i < input.loads.size(); ++i)
         start.masses_kg.push_back(gas_mass_kg(input.loads[i].gas, start.volumes_m3[i], start.pressures_Pa[i]));
     return start;
@@ -102,12 +107,14 @@ void read_values(fem::System& system, const LoadLevels& levels, const LoadLevels
 
 model::Step step_of(const fem::System& system, const PathPoint& point, double direction) {
     const model::Case& input = system.input();
+    direction *= scale_of(point);
     const auto travelling = [direction](std::vector<double> slopes) {
         for (double& slope : slopes) slope *= direction;
         return slopes;
     };
     model::Step step;
     step.load_factor = point.state.load_factor;
+    if (model::is_timed(input)) step.time_s = point.levels.time_s;
     step.pressure_Pa = point.leading;
     if (!input.loads.empty() && system.volumes().has_volume(0)) {
         step.volume_m3 = point.load_volumes_m3[0];
@@ -144,8 +151,10 @@ void read_rubber(fem::System& system, const PathPoint& point, double direction, 
     const double whole = 1.0 / system.input().model_fraction;
     const double power =
         system.assembler().load_power(point.state.x, point.tangent.x, point.levels, point.level_slopes);
-    step.energies = {whole * stretch.stored_energy_J, whole * point.load_work_J, whole * direction * power};
+    step.energies = {whole * stretch.stored_energy_J, whole * point.load_work_J,
+                     whole * direction * scale_of(point) * power};
     if (system.contact().has_friction()) step.energies->friction_J = whole * stretch.friction_J;
+    if (!system.internal().is_empty()) step.energies->dissipated_J = whole * stretch.dissipated_J;
 }
 
 void let_contact_rest(fem::System& system, const PathPoint& a, const PathPoint& b) {

@@ -19,7 +19,7 @@ double gas_pressure_Pa(const model::Gas& gas, double volume_m3, double mass_kg) 
 
 StageStart unloaded(const model::Case& input, const std::vector<double>& undeformed_volumes_m3) {
     const LoadLevels none = fem::no_loads(input);
-    StageStart start{none.pressures_Pa, undeformed_volumes_m3, {}, none.dead_loads, none.motions};
+    StageStart start{none.pressures_Pa, undeformed_volumes_m3, {}, none.dead_loads, none.motions, 0.0};
     for (std::size_t i = 0; i < input.loads.size(); ++i)
         start.masses_kg.push_back(gas_mass_kg(input.loads[i].gas, undeformed_volumes_m3[i], 0.0));
     return start;
@@ -29,7 +29,9 @@ StageLoads::StageLoads(const model::Case& input, int stage, StageStart start,
                        const std::vector<double>& undeformed_volumes_m3)
     : start_(std::move(start)), rate_(fem::no_loads(input)) {
     const model::Stage& programme = input.path.stages.at(static_cast<std::size_t>(stage));
-    begin_ = {start_.pressures_Pa, start_.dead_loads, start_.motions};
+    begin_ = {start_.pressures_Pa, start_.dead_loads, start_.motions, start_.time_s};
+    rate_.time_s = programme.time_s.value_or(0.0);
+    changes_ = programme.time_s.has_value();
     for (std::size_t i = 0; i < input.loads.size(); ++i) {
         const auto& target = programme.supplies.at(i);
         if (target.what == Prescription::pressure) {
@@ -66,7 +68,7 @@ LoadLevels StageLoads::levels(double load_factor, const std::vector<double>& fre
 
 LoadLevels StageLoads::unit_pressure(std::size_t k) const {
     LoadLevels unit{std::vector(rate_.pressures_Pa.size(), 0.0), std::vector(rate_.dead_loads.size(), 0.0),
-                    std::vector(rate_.motions.size(), 0.0)};
+                    std::vector(rate_.motions.size(), 0.0), 0.0};
     unit.pressures_Pa[free_.at(k)] = 1.0;
     return unit;
 }

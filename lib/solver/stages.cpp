@@ -1,5 +1,6 @@
 #include "solver/stages.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -7,12 +8,16 @@
 #include "solver/kink.hpp"
 #include "solver/path_end.hpp"
 #include "solver/row_state.hpp"
+#include "solver/stepping.hpp"
 
 namespace soft::solver {
 
 using model::StopReason;
 
 namespace {
+
+/// First step of a stage in time, of the shortest relaxation time: its error is not known before the second one.
+constexpr double first_share = 0.05;
 
 /// The state without a direction, for a path that ends at its start.
 PathPoint point_without_direction(fem::System& system, const StageLoads& loads, State state) {
@@ -43,6 +48,7 @@ std::optional<Stop> begin_stage(Corrector& corrector, PathState& path, State sta
     path.before.reset();
     path.last.reset();
     path.attempts = {};
+    system.internal().forget_rates();
     auto by_load = corrector.newton().tangent({ConstraintKind::load_factor}, state);
     if (!by_load || !std::isfinite(linalg::norm(by_load->x))) {
         const NewtonEnd end = corrector.newton().tangent_end();
@@ -55,10 +61,11 @@ std::optional<Stop> begin_stage(Corrector& corrector, PathState& path, State sta
         if (path.rows == 0) throw start_error(end, "the undeformed body has a singular stiffness");
         return Stop{StopReason::diverged, "the tangent is singular where stage '" + stage.name + "' begins"};
     }
-    if (path.rows == 0 && system.has_fibers()) by_load = leave_rest(corrector, state, std::move(*by_load));
+    if (path.rows == 0 && system.has_kinks()) by_load = leave_rest(corrector, state, std::move(*by_load));
     path.first_slope = linalg::norm(by_load->x);
     const bool unstable = by_load->unstable_modes.value_or(0) > 0 || by_load->power < 0.0;
-    if (unstable && stage.control == model::Control::automatic) path.control = softer_control(system, loads);
+    if (unstable && stage.control == model::Control::automatic && !stage.time_s)
+        path.control = softer_control(system, loads);
     PathPoint point{std::move(state), std::move(*by_load)};
     read_values(system, loads, nullptr, point);
     if (is_lost_in_rounding(path.control, loads, point)) path.control = {ConstraintKind::load_factor};
@@ -71,6 +78,10 @@ std::optional<Stop> begin_stage(Corrector& corrector, PathState& path, State sta
         throw Error(ExitCode::bad_input, "path.control", "the load does not move the controlled quantity",
                     "use another quantity, or auto");
     path.first_step = path.step = first_step(system.input().solver, path.control, slope, by_arc ? 1.0 : sense);
+    if (limits_steps_in_time(system, path)) {
+        const double short_step = first_share * system.internal().shortest_time_s() / *stage.time_s;
+        path.first_step = path.step = std::min(path.step, round_step_size(short_step));
+    }
     if (loads.changes()) rescale(system, loads, point, 1.0 / slope);
     point.q = controlled_value(path.control, point, 0.0);
     point.load_work_J = path.work_before_J;

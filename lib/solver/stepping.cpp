@@ -29,6 +29,8 @@ constexpr double flat_load = 0.1;
 constexpr double min_kinked_step = 0.1;
 /// Bounds of the step-size factor from one step to the next.
 constexpr double max_growth = 2.5, growth_of_linear_steps = 100.0, min_shrink = 0.3, min_retake = 0.1;
+/// Times the error allowed in time: a step with a larger one is repeated.
+constexpr double rejected_in_time = 2.0;
 /// Newton iterations beyond which the step does not grow.
 constexpr int many_iterations = 7;
 /// Relative to the size of the body: a first step that moves its nodes by less, in the root mean square, is not cut further because
@@ -86,7 +88,7 @@ State guess_of(const Aim& aim, const PathState& path, model::Predictor predictor
 
 double PredictorError::larger() const { return std::max(state, load_share * load); }
 
-bool may_have_kinks(const fem::System& system, const PathPoint& point) { return system.has_fibers() || point.touches; }
+bool may_have_kinks(const fem::System& system, const PathPoint& point) { return system.has_kinks() || point.touches; }
 
 PredictorError error_of(const fem::System& system, const PathState& path, const Aim& aim, const PathPoint& point) {
     const model::SolverSettings& settings = system.input().solver;
@@ -140,6 +142,31 @@ bool shorten_for_the_curve(const fem::System& system, PathState& path, const Aim
     rejected = error;
     path.step = round_step_size(shorter);
     return true;
+}
+
+bool limits_steps_in_time(const fem::System& system, const PathState& path) {
+    return system.input().solver.steps != model::StepRule::constant && system.internal().shortest_time_s() > 0.0 &&
+           stage_of(system.input(), path).time_s;
+}
+
+std::optional<double> error_in_time(fem::System& system, const PathState& path, const PathPoint& point) {
+    if (!limits_steps_in_time(system, path)) return std::nullopt;
+    system.prescribe(point.levels);
+    const auto error = system.fields().error_in_time(point.state.x);
+    return error ? std::optional(*error / system.input().path.time_accuracy) : std::nullopt;
+}
+
+bool shorten_for_time(const fem::System& system, PathState& path, std::optional<double> error, const PathPoint& point) {
+    if (!error || *error <= rejected_in_time) return false;
+    const double shorter = (point.q - path.last->q) * std::max(0.9 / std::sqrt(*error), min_shrink);
+    if (shorter < system.input().solver.min_step * path.first_step) return false;
+    path.step = round_step_size(shorter);
+    return true;
+}
+
+double longest_in_time(const PathState& path, std::optional<double> error) {
+    const double taken = path.last->q - path.before->q;
+    return round_step_size(taken * (error ? std::clamp(0.9 / std::sqrt(*error), min_shrink, max_growth) : 1.0));
 }
 
 bool is_first_try(const fem::System& system, const PathState& path, double step) {

@@ -43,6 +43,17 @@ struct PredictorError {
 [[nodiscard]] bool is_refused(const fem::System& system, const PathState& path, const PredictorError& error,
                               const PathPoint& point);
 
+/// Whether relaxation limits the steps of the stage.
+[[nodiscard]] bool limits_steps_in_time(const fem::System& system, const PathState& path);
+/// Error of a step in time relative to the one allowed (model::PathSettings::time_accuracy); nullopt on a path without time, and where
+/// it cannot be estimated.
+[[nodiscard]] std::optional<double> error_in_time(fem::System& system, const PathState& path, const PathPoint& point);
+/// Shortens a step with too large an error in time. False where the step was short enough.
+[[nodiscard]] bool shorten_for_time(const fem::System& system, PathState& path, std::optional<double> error,
+                                    const PathPoint& point);
+/// The longest step after one with this error in time, where steps are limited.
+[[nodiscard]] double longest_in_time(const PathState& path, std::optional<double> error);
+
 /// Shortens the step where the curve between its rows would be far from the path, though both rows are exact: the length of the first
 /// step comes from the loads, which may lie far beyond the end of the path. False where the step was short enough. Not applied where
 /// the error does not fall with the step, at a kink. In contact, and where contact begins, steps are judged by the cubic too: its error does

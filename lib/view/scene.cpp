@@ -91,6 +91,7 @@ std::vector<std::int64_t> choose_steps(const std::vector<std::int64_t>& stored, 
 Motion follow(const io::Result& result, const view::Skin& skin, const post::RegionPoints& region_points,
               std::size_t byte_budget) {
     Motion motion;
+    post::RubberHistory history = rubber_history(result);
     for (const post::QuantityInfo* info : available(result.model)) motion.fields.push_back({info, {}});
     const std::size_t max_steps = std::max<std::size_t>(2, byte_budget / frame_bytes(skin, motion.fields.size()));
     motion.steps = choose_steps(result.fields.steps(), max_steps);
@@ -98,7 +99,8 @@ Motion follow(const io::Result& result, const view::Skin& skin, const post::Regi
     for (const std::int64_t step : motion.steps) {
         const io::FieldReader::Values values = result.fields.read(step).value();
         const post::NodalState state{values.displacement_m, values.pressure_Pa,
-                                     post::obstacle_shifts(result.model, result.steps, static_cast<std::size_t>(step))};
+                                     post::obstacle_shifts(result.model, result.steps, static_cast<std::size_t>(step)),
+                                     history.at(step, values.displacement_m)};
         motion.shifts_m.push_back(state.shifts);
         const post::StepFields local = post::step_fields(result.model, region_points, state);
         const auto bases = view::base_positions(skin, result.model, region_points, values.displacement_m);
@@ -250,6 +252,17 @@ std::string palette_bytes() {
 }
 
 }  // namespace
+
+post::RubberHistory rubber_history(const io::Result& result) {
+    std::vector<int> inside_steps;
+    if (result.end)
+        for (const model::LimitPoint& point : result.end->limit_points) inside_steps.push_back(point.step);
+    return {result.model, result.steps, std::move(inside_steps),
+            [&result](std::int64_t row) -> std::optional<std::vector<double>> {
+                auto values = result.fields.read(row);
+                return values ? std::optional(std::move(values->displacement_m)) : std::nullopt;
+            }};
+}
 
 Scene make_scene(const io::Result& result, const post::Curve& curve, std::size_t byte_budget) {
     const std::vector<std::int64_t>& stored = result.fields.steps();

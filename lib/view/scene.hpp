@@ -12,6 +12,7 @@
 
 #include "io/result_file.hpp"
 #include "post/curve.hpp"
+#include "post/rubber_history.hpp"
 
 namespace soft::view {
 
@@ -22,6 +23,9 @@ struct Scene {
 };
 
 /// Error(bad_input) if stored fields are damaged.
+/// Of a result that outlives it.
+[[nodiscard]] post::RubberHistory rubber_history(const io::Result& result);
+
 [[nodiscard]] Scene make_scene(const io::Result& result, const post::Curve& curve, std::size_t byte_budget);
 
 }  // namespace soft::view

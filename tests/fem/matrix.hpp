@@ -71,6 +71,7 @@ struct Sample {
     material::AnyRubber rubber;
     ReferenceCell cell;
     std::vector<double> X, unknowns;
+    material::StepMemory memory;  ///< used by inelastic rubber
 
     explicit Sample(const Combination& c, material::AnyRubber law = neo_hookean())
         : combination(c),
@@ -82,7 +83,12 @@ struct Sample {
     }
     [[nodiscard]] CellInput input(const std::vector<double>& values) const {
         const auto split = static_cast<std::size_t>(cell.displacement_dofs());
-        return {X, {values.data(), split}, {values.data() + split, values.size() - split}, 1e5};
+        const bool is_inelastic = material::inelastic_of(rubber) != nullptr;
+        return {X,
+                {values.data(), split},
+                {values.data() + split, values.size() - split},
+                1e5,
+                is_inelastic ? &memory : nullptr};
     }
     [[nodiscard]] CellOutput integrate(const std::vector<double>& values) const {
         CellOutput out(cell);

@@ -76,6 +76,59 @@ TEST(LawElementMatrix, TangentIsSymmetricExactlyForLawsWithAnEnergy) {
     });
 }
 
+/// Every law with an isochoric energy, viscoelastic and softened, half of the points below their largest energy so far.
+template <class Visit>
+void for_each_inelastic_entry(Visit&& visit) {
+    static const material::Inelastic inelastic{{0.5}, {1}, false, material::Softening{1.5, 1e4, 0.2}};
+    for (const LawInfo& law : material::laws()) {
+        auto description = material::sample::description_of(law.name);
+        description.fiber_frame = material::FiberFrame::cylindrical;
+        description.inelastic = inelastic;
+        AnyRubber rubber;
+        try {
+            rubber = material::make_rubber(description);
+        } catch (const Error&) {
+            continue;  // no isochoric energy: material/inelastic_test
+        }
+        for (const auto& c : all_combinations()) {
+            if (!material::explain_incompatibility(rubber, c.form).empty()) continue;
+            Sample sample(c, rubber);
+            sample.memory.factor = 1.3;
+            sample.memory.softening = &*inelastic.softening;
+            for (int q = 0; q < sample.cell.points; ++q) {
+                sample.memory.W_max.push_back(q % 2 == 0 ? 0.0 : 1e6);
+                sample.memory.overstress.push_back({1e3, -2e3, 3e3 * q, 5e2, 7e2, -4e2});
+            }
+            visit(sample, law);
+        }
+    }
+}
+
+TEST(InelasticElementMatrix, TangentIsTheSymmetricDerivativeOfTheResidual) {
+    int entries = 0;
+    for_each_inelastic_entry([&](const Sample& s, const LawInfo& law) {
+        ++entries;
+        const auto d = s.direction();
+        const auto here = s.integrate(s.unknowns);
+        const auto Kd = product(here.stiffness, d);
+        expect_second_order(
+            [&](double h) {
+                auto r = s.integrate(moved(s.unknowns, d, h)).residual;
+                for (std::size_t i = 0; i < r.size(); ++i) r[i] -= here.residual[i] + h * Kd[i];
+                return norm(r);
+            },
+            label(s, law));
+        const std::size_t n = s.unknowns.size();
+        double largest = 0, difference = 0;
+        for (const double k : here.stiffness) largest = std::max(largest, std::abs(k));
+        for (std::size_t i = 0; i < n; ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                difference = std::max(difference, std::abs(here.stiffness[i * n + j] - here.stiffness[j * n + i]));
+        EXPECT_LT(difference, 1e-12 * largest) << label(s, law);
+    });
+    EXPECT_GT(entries, 100);
+}
+
 /// A rigid motion: along x only for bodies of revolution; a translation only for linear elasticity.
 std::vector<double> rigid_motion(const Sample& s, bool rotates) {
     const bool axisymmetric = s.combination.kinematics == model::Kinematics::axisymmetric;

@@ -19,7 +19,8 @@ std::vector<Problem> all_problems() {
           fiber_tube_problems(),  limit_point_problems(),   branch_problems(),       snap_problems(),
           actuator_problems(),    family_problems(),        closing_wall_problems(), work_problems(),
           panel_problems(),       sample_problems(),        locking_problems(),      published_mesh_problems(),
-          motion_problems(),      error_bar_problems(),     reaction_problems(),     contact_problems()})
+          motion_problems(),      error_bar_problems(),     reaction_problems(),     contact_problems(),
+          inelastic_problems()})
         all.insert(all.end(), list.begin(), list.end());
     return all;
 }

@@ -75,6 +75,7 @@ struct Problem {
 [[nodiscard]] std::vector<Problem> error_bar_problems();
 [[nodiscard]] std::vector<Problem> reaction_problems();
 [[nodiscard]] std::vector<Problem> contact_problems();
+[[nodiscard]] std::vector<Problem> inelastic_problems();
 
 /// All problems, in the order of the README.
 [[nodiscard]] std::vector<Problem> all_problems();

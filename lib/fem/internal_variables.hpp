@@ -1,0 +1,87 @@
+#pragma once
+/// Internal variables of inelastic materials (material/inelastic.hpp) at the quadrature points: their values at the start of the step,
+/// and what a step to a trial state does to them. A step leads from the state accepted last, at its time, to the trial state at the time
+/// set last; where the case has no time it is infinitely slow or infinitely fast (model::PathSettings::modulus).
+/// They are not interpolated: another mesh computes its own along the path.
+/// Tested by fem/internal_variables_test.
+#include <span>
+#include <vector>
+
+#include "fem/discretization.hpp"
+#include "fem/solid_kernel.hpp"
+#include "material/point_history.hpp"
+
+namespace soft::fem {
+
+struct PointLocation {
+    const CellGroup& group;
+    std::size_t cell, point;  ///< of the group, of the cell
+};
+
+class InternalVariables {
+public:
+    explicit InternalVariables(const Discretization& fe);
+
+    /// No material is inelastic; the same on every rank.
+    [[nodiscard]] bool is_empty() const noexcept { return is_empty_; }
+    /// Whether a material softens: its tangent jumps where loading turns into unloading.
+    [[nodiscard]] bool soften() const noexcept { return soften_; }
+    /// The shortest relaxation time; 0 without viscoelasticity or where the case has no time.
+    [[nodiscard]] double shortest_time_s() const noexcept { return shortest_time_s_; }
+
+    /// Sets the time of trial states.
+    void set_time(double time_s);
+    /// Of the state accepted last.
+    [[nodiscard]] double start_time_s() const noexcept { return start_s_; }
+
+    /// Fills what the step needs at the points of a cell; false for an elastic cell.
+    bool read(const CellGroup& group, std::size_t cell, material::StepMemory& memory) const;
+    /// The step at a point of a trial state.
+    [[nodiscard]] material::PointStep step_at(const PointLocation& at, const PointState& point) const;
+
+    /// Accepts the trial state: begin, then every point of this rank, then end (collective).
+    void begin_acceptance() { accepted_J_ = 0; }
+    void accept(const PointLocation& at, const PointState& point);
+    void end_acceptance();
+
+    /// Number of accepted steps and of restarts.
+    [[nodiscard]] std::int64_t accepted_steps() const noexcept { return accepted_; }
+
+    /// Since the start of the path, of the modelled part [J].
+    [[nodiscard]] double dissipated_J() const noexcept { return dissipated_J_; }
+    /// Estimated relative error of the stress from the squared errors and stresses of a step, summed over the volume of all ranks; the
+    /// stress is the largest so far. nullopt where no estimate exists: in the first step of a stage, and without viscoelasticity.
+    [[nodiscard]] std::optional<double> relative_error(double error2, double stress2);
+    /// A stage begins: the rates of the stress jump.
+    void forget_rates() noexcept { last_step_s_ = 0; }
+
+    /// Everything above, of all ranks; empty on all ranks but the first. Collective.
+    [[nodiscard]] std::vector<double> gather() const;
+    /// False if it does not fit the case. Collective; every rank has all values.
+    [[nodiscard]] bool restore(std::span<const double> values);
+
+private:
+    struct Group {
+        const CellGroup* cells;
+        const material::Inelastic* inelastic;
+        std::size_t size;  ///< numbers per point
+        material::StepCoefficients step;
+        std::vector<double> values;  ///< [cell][point][size]
+    };
+    [[nodiscard]] const Group* find(const CellGroup& group) const;
+    [[nodiscard]] std::size_t offset(const Group& group, const PointLocation& at) const;
+    [[nodiscard]] std::span<const double> values_at(const Group& group, const PointLocation& at) const;
+
+    const Discretization& fe_;
+    std::vector<Group> groups_;  // of inelastic materials
+    std::vector<int> index_;     // by group of cells: in groups_, or -1
+    enum class Clock { runs, is_infinitely_slow, is_infinitely_fast } clock_;
+    bool is_empty_ = true, soften_ = false;
+    double shortest_time_s_ = 0;
+    double start_s_ = 0, time_s_ = 0, step_s_ = 0, last_step_s_ = 0;
+    std::vector<double> next_;  // work space
+    std::int64_t accepted_ = 0;
+    double dissipated_J_ = 0, accepted_J_ = 0, largest_stress2_ = 0;
+};
+
+}  // namespace soft::fem

@@ -1,0 +1,88 @@
+#include "material/point_history.hpp"
+
+#include <algorithm>
+
+#include "material/response.hpp"
+
+namespace soft::material {
+
+namespace {
+
+/// The list: the largest energy; with viscoelasticity also S_inf, the strain, the rate of S_inf, then each Q.
+constexpr std::size_t energy_at = 0, stress_at = 1, strain_at = 7, rate_at = 13, overstress_at = 19, components = 6;
+
+SymmetricTensor sum_of_branches(std::span<const double> history, std::size_t branches) {
+    SymmetricTensor sum{};
+    for (std::size_t i = 0; i < branches; ++i)
+        for (std::size_t c = 0; c < components; ++c) sum[c] += history[overstress_at + components * i + c];
+    return sum;
+}
+
+}  // namespace
+
+std::size_t history_size(const Inelastic& inelastic) {
+    return inelastic.moduli.empty() ? 1 : overstress_at + components * inelastic.moduli.size();
+}
+
+void remember(const Inelastic& inelastic, const StepCoefficients& step, std::span<const double> history, int point,
+              StepMemory& memory) {
+    const auto q = static_cast<std::size_t>(point);
+    memory.W_max[q] = history[energy_at];
+    if (inelastic.moduli.empty()) return;
+    SymmetricTensor& H = memory.overstress[q] = {};
+    for (std::size_t i = 0; i < inelastic.moduli.size(); ++i)
+        for (std::size_t c = 0; c < components; ++c)
+            H[c] +=
+                step.decay[i] * history[overstress_at + components * i + c] - step.share[i] * history[stress_at + c];
+}
+
+PointStep advance(const AnyRubber& rubber, const StepCoefficients& step, const StepTimes& times, const Tensor& F,
+                  std::span<const double> history, std::span<double> next) {
+    const Inelastic& inelastic = *inelastic_of(rubber);
+    const Softening* softening = inelastic.softening ? &*inelastic.softening : nullptr;
+    const double scale = inelastic.scale(), before = history[energy_at];
+    const double W = std::visit([&](const auto& r) { return isochoric_energy(r, F); }, rubber);
+    const double W_max = std::max(W, before);
+    PointStep result;
+    result.stored_change_J_m3 = scale * (softening != nullptr ? softening->at(W, W_max).energy : W) - W;
+    if (softening != nullptr)
+        result.dissipated_J_m3 = scale * (softening->dissipated(W_max) - softening->dissipated(before));
+    if (!next.empty()) next[energy_at] = W_max;
+    const Tensor P = std::visit(
+        [&](const auto& r) {
+            return isochoric_stress(r, F, {scale, softening, before});
+        },
+        rubber);
+    const SymmetricTensor S = second_piola(F, P);
+    result.stress = S;
+    const std::size_t branches = inelastic.moduli.size();
+    if (branches == 0) return result;
+    const SymmetricTensor E = green_strain(F);
+    SymmetricTensor change{}, error{}, overstress{};
+    const double mean_step_s = 0.5 * (times.step_s + times.last_s);
+    for (std::size_t c = 0; c < components; ++c) {
+        const double change_of_S = S[c] - history[stress_at + c];
+        const double rate = times.step_s > 0 ? change_of_S / times.step_s : 0.0;
+        const double curvature = mean_step_s > 0 ? (rate - history[rate_at + c]) / mean_step_s : 0.0;
+        change[c] = E[c] - history[strain_at + c];
+        for (std::size_t i = 0; i < branches; ++i) {
+            const std::size_t at = overstress_at + components * i + c;
+            const double Q = step.decay[i] * history[at] + step.share[i] * change_of_S;
+            overstress[c] += Q;
+            error[c] += step.error[i] * curvature;
+            if (!next.empty()) next[at] = Q;
+        }
+        result.stress[c] += overstress[c];
+        if (next.empty()) continue;
+        next[stress_at + c] = S[c];
+        next[strain_at + c] = E[c];
+        next[rate_at + c] = rate;
+    }
+    const double work = contract(sum_of_branches(history, branches), change) + contract(overstress, change);
+    result.dissipated_J_m3 += 0.5 * work;
+    result.error2 = contract(error, error);
+    result.stress2 = contract(result.stress, result.stress);
+    return result;
+}
+
+}  // namespace soft::material
