@@ -57,9 +57,14 @@ void print_summary(const std::vector<fit::RankedFit>& ranked, cli::Console& cons
 ExitCode fit_material(const FitOptions& options) {
     cli::Console console{cli::fit_about(), options.common};
     const std::vector<fit::TestCurve> tests = read_tests(options, console);
-    const std::vector<fit::RankedFit> ranked =
-        options.rank ? fit::rank(tests, options.settings)
-                     : std::vector<fit::RankedFit>{{fit::fit(*options.candidate, tests, options.settings), {}}};
+    const auto fit_of = [&](const fit::Candidate& candidate) {
+        return options.in_time() ? fit::fit_history(candidate, tests, options.history, options.settings)
+                                 : fit::fit(candidate, tests, options.settings);
+    };
+    const std::vector<fit::RankedFit> ranked = !options.rank
+                                                   ? std::vector<fit::RankedFit>{{fit_of(*options.candidate), {}}}
+                                               : options.in_time() ? fit::rank_by(fit_of)
+                                                                   : fit::rank(tests, options.settings);
     cli::write_output(
         options.common.output,
         options.rank ? fit::rank_table(ranked) : fit::material_yaml(ranked.front().fit, tests, provenance_of(options)));

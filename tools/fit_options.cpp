@@ -144,6 +144,15 @@ void apply(const Words& words, FitOptions& options) {
     if (words.stability == "everywhere") options.settings.stability = fit::Stability::everywhere;
     if (words.stability == "reported") options.settings.stability = fit::Stability::reported;
     if (words.offset) options.settings.offset = fit::Offset::fitted;
+    options.reading.wants_time = options.in_time();
+    if (options.in_time()) {
+        options.reading.order = fit::RowOrder::points;  // the elastic fit, the start of the search, takes them so
+        if (words.offset)
+            throw Error(ExitCode::usage, "--offset", "tests in time are fitted without an offset", "omit it");
+    } else if (!options.reading.time_column.empty() || !options.reading.time_unit.empty()) {
+        throw Error(ExitCode::usage, options.reading.time_column.empty() ? "--time-unit" : "--time-column",
+                    "has no effect without --viscoelastic or --softening");
+    }
     if (!options.plot.empty()) static_cast<void>(post::picture_format(options.plot));  // before any work
 }
 
@@ -191,11 +200,23 @@ void add_data_options(CLI::App& app, Words& words, FitOptions& options) {
     app.add_option("--skip-rows", options.reading.skipped_rows, "Skip the first N rows of data")
         ->type_name("N")
         ->check(row_count_error);
+    app.add_option("--time-column", options.reading.time_column,
+                   "With --viscoelastic or --softening: time column, by (part of) its title or its number from 1")
+        ->type_name("TITLE");
+    app.add_option("--time-unit", options.reading.time_unit, "Unit of the time column (default s)")->type_name("UNIT");
     app.add_flag("--any-order", words.any_order, "The rows are unordered points, not a loading sequence");
 }
 
 void add_fit_options(CLI::App& app, Words& words, FitOptions& options) {
     app.add_option("--law", words.law, "Law to fit (default yeoh): " + core::join(law_names()))->type_name("LAW");
+    app.add_option(
+           "--viscoelastic", options.history.branches,
+           "Fit N Maxwell elements with the law, to tests with a time column: relaxation, creep, cycles, ramps at several "
+           "rates")
+        ->check(CLI::Range(1, 8))
+        ->type_name("N");
+    app.add_flag("--softening", options.history.softening,
+                 "Fit Ogden-Roxburgh softening with the law, to tests with cycles and a time column");
     app.add_flag("--rank", options.rank, "Fit all laws and print a table, best first, instead of a material");
     app.add_option("--range", words.range, "Range of engineering strain to fit, e.g. 0:110% or :3")
         ->type_name("FROM:TO");
@@ -227,6 +248,8 @@ const About& fit_about() {
               "Yeoh constants up to 110 % strain, and a plot"},
              {"fit-material machine.csv --gauge-length 33mm --width 6mm --thickness 3mm --law yeoh-5 > material.yaml",
               "Displacement and force data of a testing machine"},
+             {"fit-material relaxation.csv --uniaxial cycles.csv --viscoelastic 2 --softening > material.yaml",
+              "A law with relaxation and softening, from two tests with a time column"},
              {"fit-material --uniaxial ut.csv --equibiaxial et.csv --planar ps.csv --rank",
               "Fits all laws to three modes together, best first"}},
         .libraries = [] {

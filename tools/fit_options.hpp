@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli.hpp"
-#include "fit/fit.hpp"
+#include "fit/history_fit.hpp"
 
 namespace soft::cli {
 
@@ -20,9 +20,13 @@ struct FitOptions {
     std::vector<TestFile> files;
     fit::ReadSettings reading;
     fit::Settings settings;
+    fit::HistorySettings history;
     const fit::Candidate* candidate = nullptr;
     bool rank = false;
     std::string plot, notice, protocol;
+
+    /// Whether the tests are histories in time.
+    [[nodiscard]] bool in_time() const { return history.branches > 0 || history.softening; }
 };
 
 [[nodiscard]] const About& fit_about();

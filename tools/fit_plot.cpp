@@ -62,16 +62,23 @@ Panel panel_of(fit::Mode mode, const std::vector<fit::RankedFit>& ranked, const 
     for (std::size_t law = 0; law < std::min(max_laws, ranked.size()); ++law) {
         const fit::Fit& fitted = ranked[law].fit;
         std::string curve, residual;
-        for (int i = 0; i <= samples; ++i) {
+        const bool in_time = !fitted.predicted_Pa.empty();
+        for (std::size_t t = 0; in_time && t < tests.size(); ++t) {
+            for (std::size_t i = 0; tests[t].mode == mode && i < tests[t].stretch.size(); ++i)
+                curve += point(tests[t].stretch[i], fitted.predicted_Pa[t][i] / 1e3);
+            curve += "\n";  // a gap between tests
+        }
+        for (int i = 0; !in_time && i <= samples; ++i) {
             const double stretch = shortest + (longest - shortest) * i / samples;
             curve += point(stretch, fitted.nominal_stress_Pa(mode, stretch) / 1e3);
         }
         for (std::size_t t = 0; t < tests.size(); ++t)
             for (std::size_t i = 0; tests[t].mode == mode && i < tests[t].stretch.size(); ++i)
                 residual +=
-                    point(tests[t].stretch[i], (fitted.nominal_stress_Pa(mode, tests[t].stretch[i]) +
-                                                fitted.tests[t].offset_Pa.value_or(0) - tests[t].nominal_Pa[i]) /
-                                                   1e3);
+                    point(tests[t].stretch[i],
+                          ((in_time ? fitted.predicted_Pa[t][i] : fitted.nominal_stress_Pa(mode, tests[t].stretch[i])) +
+                           fitted.tests[t].offset_Pa.value_or(0) - tests[t].nominal_Pa[i]) /
+                              1e3);
         const std::string name = id + std::to_string(law), style = " linewidth 2 linecolor " + std::to_string(law + 1);
         panel.data += block(name, curve) + block(name + "r", residual);
         const std::string drawn = " with lines" + style + " dashtype " + std::to_string(law + 1);

@@ -14,6 +14,11 @@ Json constants_json(const fit::Fit& fitted) {
                         {"value", constant.value},
                         {"unit", constant.is_stress ? "Pa" : "1"},
                         {"standard_error", constant.standard_error}});
+    for (const fit::HistoryConstant& constant : fitted.history)
+        list.push_back({{"name", constant.name},
+                        {"value", constant.value},
+                        {"unit", constant.unit},
+                        {"standard_error", constant.standard_error}});
     return list;
 }
 

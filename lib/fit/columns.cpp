@@ -30,6 +30,9 @@ bool is_engineering(std::string_view title) {
 bool is_strain(std::string_view title) { return contains(title, "strain") || contains(title, "stretch"); }
 bool is_stress(std::string_view title) { return contains(title, "stress"); }
 
+bool is_no_title(std::string_view) { return false; }
+bool is_time(std::string_view title) { return contains(title, "time") || contains(title, "zeit"); }
+
 bool contains_any(std::string_view title, std::initializer_list<std::string_view> words) {
     return std::ranges::any_of(words, [&](std::string_view word) { return contains(title, word); });
 }
@@ -215,6 +218,15 @@ Columns columns_of(const Table& table, const ReadSettings& settings) {
                                             : strain_unit(strain.unit, settings);
     columns.stress_unit =
         stated_unit(is_machine_stress ? force_quantity : stress_quantity, settings.stress_unit, stress, missing);
+    if (settings.wants_time) {
+        columns.time = find_column(table, {"time", "--time-column", settings.time_column, is_time, is_no_title, {}});
+        const std::string stated = settings.time_unit.empty() ? heading(columns.time).unit : settings.time_unit;
+        if (!stated.empty() && core::dimension_of(stated) == core::Dimension::time)
+            columns.time_unit = stated;
+        else if (!settings.time_unit.empty())
+            throw Error(ExitCode::usage, "--time-unit", core::quoted(stated) + " is not a unit of time",
+                        "use s, ms or min");
+    }
     if (!missing.problems.empty())
         throw refusal(table, core::join(missing.problems), "give " + core::join(missing.remedies, " and "));
     return columns;

@@ -12,6 +12,8 @@ struct Columns {
     StrainMeasure strain_measure = StrainMeasure::engineering;
     StressMeasure stress_measure = StressMeasure::engineering;
     std::string strain_unit;  ///< empty or %; for a displacement its unit of length
+    std::size_t time = 0;     ///< if requested
+    std::string time_unit = "s";
     std::string stress_unit;
 };
 

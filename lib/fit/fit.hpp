@@ -46,6 +46,13 @@ struct Constant {
     bool is_stress = true;
 };
 
+/// A constant of viscoelasticity or softening.
+struct HistoryConstant {
+    std::string name;  ///< "modulus 1", "time 1", "r", "m", "beta"
+    double value = 0, standard_error = 0;
+    std::string unit;  ///< SI
+};
+
 struct TestQuality {
     Mode mode = Mode::uniaxial;
     std::string source;
@@ -63,6 +70,11 @@ struct Fit {
     std::vector<TestQuality> tests;
     std::size_t rows = 0;
     double rmse_Pa = 0, max_Pa = 0, r2 = 0;
+    // Of fit_history; else empty.
+    std::optional<material::Inelastic> inelastic = {};
+    std::vector<HistoryConstant> history;           ///< its constants; `covariance` covers `list`, then these
+    std::vector<std::vector<double>> predicted_Pa;  ///< nominal stress by test and row
+
     /// Largest error of the nominal stress relative to the measured one, over rows with at least 20 % strain (below that the zero
     /// error of the load cell dominates); nullopt without such rows.
     std::optional<double> max_relative_error = {};

@@ -64,19 +64,39 @@ struct Sums {
 };
 
 void add_errors(const Solution& solution, const std::vector<TestCurve>& tests, const Rows& rows, Fit& fit) {
+    for (std::size_t t = 0; t < tests.size() && rows.offset == Offset::fitted; ++t)
+        fit.tests.emplace_back().offset_Pa =
+            solution.projection.linear
+                .c[static_cast<Eigen::Index>(solution.candidate.linear) + static_cast<Eigen::Index>(t)] *
+            rows.scale_Pa;
+    add_row_errors(tests,
+                   {solution.projection.residual.squaredNorm(),
+                    static_cast<std::size_t>(solution.projection.A.cols()) + solution.q.size() + 1},
+                   fit);
+}
+
+/// True if the signs of the constants guarantee stability at every stretch.
+bool signs_suffice(const Solution& solution) {
+    return solution.candidate.stable_by == StableBy::signs &&
+           solution.projection.linear.c.head(solution.candidate.linear).minCoeff() >= 0.0;
+}
+
+}  // namespace
+
+void add_row_errors(const std::vector<TestCurve>& tests, const WeightedSquares& squares, Fit& fit) {
     Sums all;
+    fit.tests.resize(tests.size());
     for (std::size_t t = 0; t < tests.size(); ++t) {
         const TestCurve& test = tests[t];
-        TestQuality quality{.mode = test.mode, .source = test.source, .rows = test.stretch.size()};
-        if (rows.offset == Offset::fitted)
-            quality.offset_Pa =
-                solution.projection.linear
-                    .c[static_cast<Eigen::Index>(solution.candidate.linear) + static_cast<Eigen::Index>(t)] *
-                rows.scale_Pa;
+        TestQuality& quality = fit.tests[t];
+        quality.mode = test.mode;
+        quality.source = test.source;
+        quality.rows = test.stretch.size();
         Sums sums;
         for (std::size_t i = 0; i < test.stretch.size(); ++i) {
-            const double residual =
-                fit.nominal_stress_Pa(test.mode, test.stretch[i]) + quality.offset_Pa.value_or(0) - test.nominal_Pa[i];
+            const double predicted_Pa =
+                fit.predicted_Pa.empty() ? fit.nominal_stress_Pa(test.mode, test.stretch[i]) : fit.predicted_Pa[t][i];
+            const double residual = predicted_Pa + quality.offset_Pa.value_or(0) - test.nominal_Pa[i];
             sums.add(residual, test.nominal_Pa[i]);
             all.add(residual, test.nominal_Pa[i]);
             if (std::abs(test.stretch[i] - 1.0) >= min_error_strain && test.nominal_Pa[i] != 0.0)
@@ -86,33 +106,26 @@ void add_errors(const Solution& solution, const std::vector<TestCurve>& tests, c
         quality.rmse_Pa = sums.rmse();
         quality.max_Pa = sums.largest;
         quality.r2 = sums.r2();
-        fit.tests.push_back(quality);
     }
     fit.rows = all.rows;
     fit.rmse_Pa = all.rmse();
     fit.max_Pa = all.largest;
     fit.r2 = all.r2();
     const double n = static_cast<double>(all.rows);
-    const double k = static_cast<double>(solution.projection.A.cols()) + static_cast<double>(solution.q.size()) + 1.0;
-    const double mean = std::max(solution.projection.residual.squaredNorm() / n, std::numeric_limits<double>::min());
+    const double k = static_cast<double>(squares.unknowns);
+    const double mean = std::max(squares.sum / n, std::numeric_limits<double>::min());
     fit.aicc = n - k - 1.0 > 0.0 ? n * std::log(mean) + 2.0 * k + 2.0 * k * (k + 1.0) / (n - k - 1.0)
                                  : std::numeric_limits<double>::infinity();
 }
 
-/// True if the signs of the constants guarantee stability at every stretch.
-bool signs_suffice(const Solution& solution) {
-    return solution.candidate.stable_by == StableBy::signs &&
-           solution.projection.linear.c.head(solution.candidate.linear).minCoeff() >= 0.0;
-}
-
-void add_stability(const Solution& solution, Fit& fit) {
+void add_stability(bool signs_suffice, Fit& fit) {
     const auto rubber = rubber_of(fit.candidate, fit.constants);
     if (!rubber) {
         fit.flags.emplace_back("mu0<=0");
         return;
     }
     fit.stable = true;
-    if (signs_suffice(solution)) return;
+    if (signs_suffice) return;
     const double end = fit.max_I1 * (1.0 + invariant_tolerance);
     const material::StretchRange range{
         std::min(min_scan, stretch_of_invariant(Mode::uniaxial, end, material::Sense::compression)),
@@ -126,6 +139,8 @@ void add_stability(const Solution& solution, Fit& fit) {
                             core::rounded_text(limit.stretch, 4));
     }
 }
+
+namespace {
 
 /// Stress of the row nearest to e = 0.25.
 double stress_at_offset_strain(const TestCurve& test) {
@@ -156,7 +171,7 @@ Fit describe(const Solution& solution, const std::vector<TestCurve>& tests, cons
     add_list(solution, rows, fit);
     add_errors(solution, tests, rows, fit);
     add_covariance(solution, rows, fit);
-    add_stability(solution, fit);
+    add_stability(signs_suffice(solution), fit);
     add_flags(solution, tests, fit);
     return fit;
 }

@@ -15,6 +15,16 @@ struct Solution {
 
 [[nodiscard]] Fit describe(const Solution& solution, const std::vector<TestCurve>& tests, const Rows& rows);
 
+/// Fills the errors of all tests and rows, R2 and AICc; the predicted stress is `predicted_Pa` where it is filled, else that of the
+/// constants.
+struct WeightedSquares {
+    double sum = 0;
+    std::size_t unknowns = 1;  ///< with the variance
+};
+void add_row_errors(const std::vector<TestCurve>& tests, const WeightedSquares& squares, Fit& fit);
+/// Fills the limits of stability, `stable` and their flags; `signs_suffice`: stable at every stretch.
+void add_stability(bool signs_suffice, Fit& fit);
+
 /// Covariance s^2 T (J'J)^-1 T' of the constants. s^2 is the sum of squares over the degrees of freedom. J is the Jacobian in the fit
 /// variables (linear constants, shapes q, offsets). T maps these to the constants of a design. Variables at a bound have zero
 /// covariance. Computed from the singular values of J with columns scaled to length 1. Source: Bjorck, Numerical

@@ -45,6 +45,13 @@ std::vector<CrossPrediction> predictions_of(const Candidate& candidate, const st
     return predictions;
 }
 
+void sort(std::vector<RankedFit>& ranked) {
+    std::stable_sort(ranked.begin(), ranked.end(), [](const RankedFit& a, const RankedFit& b) {
+        if (a.fit.stable != b.fit.stable) return a.fit.stable;
+        return a.fit.aicc < b.fit.aicc;
+    });
+}
+
 }  // namespace
 
 std::vector<RankedFit> rank(const std::vector<TestCurve>& tests, const Settings& settings) {
@@ -54,10 +61,21 @@ std::vector<RankedFit> rank(const std::vector<TestCurve>& tests, const Settings&
             ranked.push_back({fit(candidate, tests, settings), predictions_of(candidate, tests, settings)});
     if (ranked.empty())
         ranked.push_back({fit(candidates().front(), tests, settings), {}});  // throws the error about too few rows
-    std::stable_sort(ranked.begin(), ranked.end(), [](const RankedFit& a, const RankedFit& b) {
-        if (a.fit.stable != b.fit.stable) return a.fit.stable;
-        return a.fit.aicc < b.fit.aicc;
-    });
+    sort(ranked);
+    return ranked;
+}
+
+std::vector<RankedFit> rank_by(const std::function<Fit(const Candidate&)>& fit_of) {
+    std::vector<RankedFit> ranked;
+    for (const Candidate& candidate : candidates()) {
+        try {
+            ranked.push_back({fit_of(candidate), {}});
+        } catch (const Error&) {
+            continue;
+        }
+    }
+    if (ranked.empty()) ranked.push_back({fit_of(candidates().front()), {}});  // throws
+    sort(ranked);
     return ranked;
 }
 

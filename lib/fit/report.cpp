@@ -61,6 +61,42 @@ std::string constants(const Fit& fit) {
     return text;
 }
 
+/// The groups `viscoelastic` and `softening` of a fit to tests in time.
+std::string history_lines(const Fit& fit) {
+    if (!fit.inelastic) return {};
+    const auto text = [](const HistoryConstant& constant) {
+        return constant.unit == "Pa"  ? kPa(constant.value)
+               : constant.unit == "s" ? core::rounded_text(constant.value, digits) + " s"
+                                      : core::rounded_text(constant.value, digits);
+    };
+    const auto error = [](const HistoryConstant& constant) {
+        if (!(constant.standard_error > 0.0)) return std::string{"at a bound"};
+        const bool in_kPa = constant.unit == "Pa";
+        return "+- " + core::rounded_text(constant.standard_error / (in_kPa ? kilo : 1.0), 3) +
+               (in_kPa                 ? " kPa"
+                : constant.unit == "s" ? " s"
+                                       : "");
+    };
+    const std::size_t branches = fit.inelastic->moduli.size();
+    std::string lines;
+    for (const std::size_t first : {std::size_t{0}, branches}) {
+        std::vector<std::string> values, errors;
+        for (std::size_t k = first; k < first + branches; ++k) {
+            values.push_back(text(fit.history[k]));
+            errors.push_back(error(fit.history[k]));
+        }
+        if (branches == 0) break;
+        if (first == 0) lines += "  viscoelastic:\n";
+        lines += line(first == 0 ? "    moduli" : "    times", std::string{"["}.append(core::join(values)).append("]"),
+                      core::join(errors));
+    }
+    if (!fit.inelastic->softening) return lines;
+    lines += "  softening:\n";
+    for (std::size_t i = 2 * branches; i < fit.history.size(); ++i)
+        lines += line(std::string{"    "}.append(fit.history[i].name), text(fit.history[i]), error(fit.history[i]));
+    return lines;
+}
+
 std::string range_text(const std::vector<TestCurve>& tests) {
     double min = tests.front().stretch.front(), max = min;
     for (const TestCurve& test : tests)
@@ -102,7 +138,7 @@ std::string material_yaml(const Fit& fit, const std::vector<TestCurve>& tests, c
     }
     text += unstable_comment(fit);
     text += "material:\n" + line("  law", std::string{fit.candidate.law}) + constants(fit) +
-            line("  kappa", "incompressible") + "  fit:\n";
+            line("  kappa", "incompressible") + history_lines(fit) + "  fit:\n";
     text += line("    range", yaml_text(range_text(tests)), "engineering strain of the data");
     text += line("    max_I1", core::rounded_text(fit.max_I1, digits), "beyond it the law extrapolates");
     text += line("    rmse_kPa", core::rounded_text(fit.rmse_Pa / kilo, 4));
@@ -136,7 +172,8 @@ std::string rank_table(const std::vector<RankedFit>& ranked) {
             text += padded("predicts_" + std::string{name_of(prediction.mode)}, 22);
     text += "flags\n";
     for (const RankedFit& one : ranked) {
-        text += padded(std::string{one.fit.candidate.name}, 17) + padded(std::to_string(one.fit.list.size()), 11) +
+        text += padded(std::string{one.fit.candidate.name}, 17) +
+                padded(std::to_string(one.fit.list.size() + one.fit.history.size()), 11) +
                 padded(core::rounded_text(one.fit.aicc, 6), 10) +
                 padded(core::rounded_text(one.fit.rmse_Pa / kilo, 4), 11) +
                 padded(core::rounded_text(one.fit.r2, 6), 11);

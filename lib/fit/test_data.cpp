@@ -17,7 +17,7 @@ constexpr double end_tolerance = 1e-9;
 constexpr double machine_noise = 2e-3;
 
 struct Point {
-    double stretch = 0, nominal_Pa = 0;
+    double stretch = 0, nominal_Pa = 0, time_s = 0;
     std::size_t line = 0;
 };
 
@@ -50,6 +50,8 @@ std::vector<Point> points_of(const core::Table& table, const Columns& columns, c
                                    specimen.gauge_length_m ? core::Dimension::length : core::Dimension::ratio);
     auto stresses = core::values_SI(table, columns.stress, columns.stress_unit,
                                     specimen.area_m2 ? core::Dimension::force : core::Dimension::pressure);
+    std::vector<double> times_s;
+    if (settings.wants_time) times_s = core::values_SI(table, columns.time, columns.time_unit, core::Dimension::time);
     for (double& strain : strains) strain /= specimen.gauge_length_m.value_or(1.0);
     for (double& stress : stresses) stress /= specimen.area_m2.value_or(1.0);
     const bool unit_stated = !settings.strain_unit.empty() || !columns.strain_unit.empty();
@@ -64,7 +66,8 @@ std::vector<Point> points_of(const core::Table& table, const Columns& columns, c
             refuse(table, line, "a stretch of " + core::rounded_text(stretch, 6) + " is not positive",
                    "a strain must exceed -100 %; is it a strain or a stretch (--strain)?");
         const bool is_cauchy = columns.stress_measure == StressMeasure::cauchy;
-        points.push_back({stretch, is_cauchy ? stresses[i] / stretch : stresses[i], line});
+        points.push_back(
+            {stretch, is_cauchy ? stresses[i] / stretch : stresses[i], times_s.empty() ? 0.0 : times_s[i], line});
     }
     return points;
 }
@@ -120,7 +123,7 @@ TestCurve read_test(std::string_view text, std::string_view source, Mode mode, c
     skip_rows(table, settings.skipped_rows);
     resolve_decimal_separator(table, columns);
     const std::vector<Point> points = points_of(table, columns, settings);
-    if (settings.order == RowOrder::path && points.size() > 1)
+    if (!settings.wants_time && settings.order == RowOrder::path && points.size() > 1)
         settings.specimen.gauge_length_m ? check_machine_path(table, points) : check_path(table, points);
     TestCurve test{.mode = mode, .source = std::string{source}, .sha256 = core::sha256_hex(text)};
     test.measured = columns.stress_measure;
@@ -129,6 +132,7 @@ TestCurve read_test(std::string_view text, std::string_view source, Mode mode, c
         if (strain < settings.range.min - end_tolerance || strain > settings.range.max + end_tolerance) continue;
         test.stretch.push_back(point.stretch);
         test.nominal_Pa.push_back(point.nominal_Pa);
+        if (settings.wants_time) test.time_s.push_back(point.time_s);
     }
     if (test.stretch.size() < 2)
         refuse(table, last_line,

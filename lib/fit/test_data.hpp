@@ -27,6 +27,7 @@ struct TestCurve {
     Mode mode = Mode::uniaxial;
     std::vector<double> stretch = {};
     std::vector<double> nominal_Pa = {};
+    std::vector<double> time_s = {};                      ///< by row; empty unless requested
     double weight = 1;                                    ///< of each squared residual of this test
     std::string source = {};                              ///< file name, for reports
     std::string sha256 = {};                              ///< of the file; empty without a file
@@ -69,6 +70,9 @@ struct ReadSettings {
     std::size_t skipped_rows = 0;
     StrainRange range = {};
     RowOrder order = RowOrder::path;
+    bool wants_time = false;       ///< reads the times of the rows; `order` has no effect
+    std::string time_column = {};  ///< "time", "Zeit" by default
+    std::string time_unit = {};    ///< "s", "ms", "min"; s unless the title states another
 };
 
 /// Throws Error (bad_input) "source:line: ..." for a column that is missing or not unique, a unit or measure that is not stated,
