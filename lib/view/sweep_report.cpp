@@ -51,7 +51,7 @@ constexpr std::string_view charts = R"(
 <label>y: <select id='y-goal'><option value='-1'>smaller is better</option><option value='1'>larger is better</option></select></label></div>
 <div class='chart'><canvas id='scatter'></canvas><canvas id='scatter-over' tabindex='0' role='img'
  aria-label='Scatter plot of the designs; arrow keys go from design to design, Enter selects one'></canvas></div>
-<p class='hint'>Drag a rectangle to select designs, click a design to add it. A cross is a path that ended early.</p></section>
+<p class='hint'>Drag a rectangle to select designs, click a design to add it. A cross is a design that ended early or failed.</p></section>
 <section><h2>Curves</h2>
 <div class='controls'><label>x <select id='curve-x'></select></label><label>y <select id='curve-y'></select></label></div>
 <div class='controls note' id='curve-note'></div>
