@@ -17,6 +17,7 @@
 #include "io/result_file.hpp"
 #include "post/csv.hpp"
 #include "post/curve.hpp"
+#include "sweep/derivatives.hpp"
 
 namespace soft {
 namespace {
@@ -69,20 +70,31 @@ io::Result whole_result(const fs::path& file) {
     return result;
 }
 
+/// What is collected from each result.
+struct Collection {
+    const sweep::Sweep& sweep;
+    std::size_t trace_points;
+};
+
 /// Also writes the curve to `table`. The engines leave this to sweep-plan because a separate process per design would cost more.
-void add_curve(const io::Result& result, const fs::path& table, const sweep::Sweep& sweep, sweep::Outcome& outcome) {
+void add_curve(const io::Result& result, const fs::path& table, const Collection& wanted, sweep::Outcome& outcome) {
+    const sweep::Sweep& sweep = wanted.sweep;
     const post::Curve curve = post::make_curve(result.model, result.steps);
     if (!is_present(table)) cli::write_output(table.string(), post::csv_text(curve));
     sweep::Outputs outputs = sweep::outputs_of(sweep, curve, result.end->limit_points);
     outcome.outputs = std::move(outputs.cells);
     for (const post::Column& column : curve.columns) outcome.columns.push_back(column.name);
+    if (wanted.trace_points > 0) outcome.trace = sweep::make_trace(curve, wanted.trace_points);
+    const sweep::Outputs derivatives = sweep::derivatives_of(sweep, curve, {result.model, result.steps, *result.end});
+    outcome.outputs.insert(outcome.outputs.end(), derivatives.cells.begin(), derivatives.cells.end());
+    outputs.missing.insert(outputs.missing.end(), derivatives.missing.begin(), derivatives.missing.end());
     outcome.stop_reason = model::name(result.end->reason);
     if (outcome.exit_code != static_cast<int>(ExitCode::ok)) outcome.error = result.end->detail;
     for (const std::string& reason : outputs.missing)
         outcome.error.append(outcome.error.empty() ? "" : "; ").append(reason);
 }
 
-sweep::Outcome outcome_in(const fs::path& folder, const sweep::Sweep& sweep, const sweep::PlannedDesign& design) {
+sweep::Outcome outcome_in(const fs::path& folder, const Collection& wanted, const sweep::PlannedDesign& design) {
     sweep::Outcome outcome;
     if (!design.refusal.empty()) {
         outcome.exit_code = static_cast<int>(ExitCode::bad_input);
@@ -99,12 +111,7 @@ sweep::Outcome outcome_in(const fs::path& folder, const sweep::Sweep& sweep, con
     if (status->exit_code == static_cast<int>(ExitCode::bad_input)) outcome.stop_reason = "refused";
     if (!has_curve(status->exit_code)) return outcome;
     const fs::path file = own / "result.h5";
-    if (!is_present(file))
-        return {.exit_code = {},
-                .stop_reason = "not_computed",
-                .error = "its result.h5 was removed",
-                .columns = {},
-                .outputs = {}};
+    if (!is_present(file)) return {.stop_reason = "not_computed", .error = "its result.h5 was removed"};
     std::optional<io::Result> result;
     try {
         result = whole_result(file);
@@ -113,15 +120,15 @@ sweep::Outcome outcome_in(const fs::path& folder, const sweep::Sweep& sweep, con
         outcome.error = error.what() + std::string{"; remove its folder to compute it again"};
         return outcome;
     }
-    add_curve(*result, own / "curve.csv", sweep, outcome);
+    add_curve(*result, own / "curve.csv", wanted, outcome);
     return outcome;
 }
 
 using Designs = std::span<const sweep::PlannedDesign>;
 
-std::vector<sweep::Outcome> outcomes_of(const fs::path& folder, const sweep::Sweep& sweep, Designs designs) {
+std::vector<sweep::Outcome> outcomes_of(const fs::path& folder, const Collection& wanted, Designs designs) {
     std::vector<sweep::Outcome> outcomes;
-    for (const sweep::PlannedDesign& design : designs) outcomes.push_back(outcome_in(folder, sweep, design));
+    for (const sweep::PlannedDesign& design : designs) outcomes.push_back(outcome_in(folder, wanted, design));
     return outcomes;
 }
 
@@ -141,9 +148,13 @@ core::Bytes packed(const std::vector<sweep::Outcome>& outcomes) {
     Json rows = Json::array();
     for (const sweep::Outcome& outcome : outcomes) {
         Json outputs = Json::array();
-        for (const auto& [column, value] : outcome.outputs) outputs.push_back(Json::array({column, json_of(value)}));
-        rows.push_back(Json::array(
-            {json_of(outcome.exit_code), outcome.stop_reason, outcome.error, outcome.columns, std::move(outputs)}));
+        for (const auto& [column, value, label, unit] : outcome.outputs)
+            outputs.push_back(Json::array({column, json_of(value), label, unit}));
+        Json trace = Json::array();
+        for (const auto& [name, label, unit, values] : outcome.trace)
+            trace.push_back(Json::array({name, label, unit, values}));
+        rows.push_back(Json::array({json_of(outcome.exit_code), outcome.stop_reason, outcome.error, outcome.columns,
+                                    std::move(outputs), std::move(trace)}));
     }
     const std::vector<std::uint8_t> numbers = Json::to_cbor(rows);
     const auto bytes = std::as_bytes(std::span{numbers});
@@ -158,15 +169,17 @@ std::vector<sweep::Outcome> unpacked(const core::Bytes& bytes) {
         outcome.stop_reason = row[1];
         outcome.error = row[2];
         outcome.columns = row[3];
-        for (const Json& output : row[4]) outcome.outputs.push_back({output[0], value_of<double>(output[1])});
+        for (const Json& output : row[4])
+            outcome.outputs.push_back({output[0], value_of<double>(output[1]), output[2], output[3]});
+        for (const Json& column : row[5]) outcome.trace.push_back({column[0], column[1], column[2], column[3]});
     }
     return outcomes;
 }
 
 /// Collects the outcomes in a subprocess; no result if it fails.
-core::SubprocessOutcome pack_in_subprocess(const fs::path& folder, const sweep::Sweep& sweep, Designs designs) {
+core::SubprocessOutcome pack_in_subprocess(const fs::path& folder, const Collection& wanted, Designs designs) {
     try {
-        return core::run_in_subprocess([&] { return packed(outcomes_of(folder, sweep, designs)); },
+        return core::run_in_subprocess([&] { return packed(outcomes_of(folder, wanted, designs)); },
                                        {std::chrono::hours{24}});
     } catch (const Error& error) {
         return {std::nullopt, error.what()};
@@ -181,7 +194,9 @@ std::vector<sweep::State> states_in(const fs::path& folder, const sweep::Plan& p
     return states;
 }
 
-std::vector<sweep::Outcome> outcomes_in(const fs::path& folder, const sweep::Sweep& sweep, const sweep::Plan& plan) {
+std::vector<sweep::Outcome> outcomes_in(const fs::path& folder, const sweep::Sweep& sweep, const sweep::Plan& plan,
+                                        std::size_t trace_points) {
+    const Collection wanted{sweep, trace_points};
     // Reading a result takes a tenth of the time of a small solve, so results are read in parallel.
     const Designs designs{plan.designs};
     const std::size_t max_parts = std::max(1U, std::thread::hardware_concurrency());
@@ -190,8 +205,8 @@ std::vector<sweep::Outcome> outcomes_in(const fs::path& folder, const sweep::Swe
     for (std::size_t part = 0, from = 0; part < parts; ++part) {
         const std::size_t to = designs.size() * (part + 1) / parts;
         const Designs share = designs.subspan(from, to - from);
-        running.emplace_back(share, std::async(std::launch::async, [&folder, &sweep, share] {
-                                 return pack_in_subprocess(folder, sweep, share);
+        running.emplace_back(share, std::async(std::launch::async, [&folder, &wanted, share] {
+                                 return pack_in_subprocess(folder, wanted, share);
                              }));
         from = to;
     }
@@ -200,7 +215,7 @@ std::vector<sweep::Outcome> outcomes_in(const fs::path& folder, const sweep::Swe
     std::vector<sweep::Outcome> outcomes;
     for (std::size_t part = 0; part < parts; ++part) {
         // Repeat a failed part in this process, which then reports the error.
-        const auto found = ends[part] ? unpacked(*ends[part]) : outcomes_of(folder, sweep, running[part].first);
+        const auto found = ends[part] ? unpacked(*ends[part]) : outcomes_of(folder, wanted, running[part].first);
         outcomes.insert(outcomes.end(), found.begin(), found.end());
     }
     return outcomes;

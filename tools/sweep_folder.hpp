@@ -15,9 +15,9 @@ namespace soft {
 [[nodiscard]] std::vector<sweep::State> states_in(const std::filesystem::path& folder, const sweep::Plan& plan);
 
 /// Outcome of each design, with the outputs of its result. Writes a missing curve.csv next to each result.
-/// A result that cannot be read counts as a failure of its design.
+/// A result that cannot be read counts as a failure of its design. `trace_points`: points of each curve (sweep/trace.hpp); 0: no curves.
 [[nodiscard]] std::vector<sweep::Outcome> outcomes_in(const std::filesystem::path& folder, const sweep::Sweep& sweep,
-                                                      const sweep::Plan& plan);
+                                                      const sweep::Plan& plan, std::size_t trace_points = 0);
 
 /// Writes designs/ID.yaml for each waiting design. Existing files are kept: their name is a hash of the content.
 void write_designs(const std::filesystem::path& folder, const sweep::Plan& plan,

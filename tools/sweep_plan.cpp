@@ -15,8 +15,12 @@
 #include "core/text.hpp"
 #include "geometry/build.hpp"
 #include "geometry/family.hpp"
+#include "geometry/variations.hpp"
 #include "library_versions.hpp"
+#include "sweep/derivatives.hpp"
+#include "sweep/plot.hpp"
 #include "sweep_folder.hpp"
+#include "view/sweep_report.hpp"
 
 namespace {
 
@@ -41,7 +45,8 @@ const cli::About about{
 
 struct SweepPlanOptions {
     cli::CommonOptions common;
-    std::string input, folder, programs, waiting;
+    std::string input, folder, programs, waiting, report, plot;
+    post::PlotRequest axes;
     bool prepare = false, results = false;
 };
 
@@ -60,6 +65,28 @@ std::optional<SweepPlanOptions> parse_sweep_plan_options(int argc, char** argv) 
                  "Print the results of the designs in FOLDER instead of the plan, and write the "
                  "curve of each next to its result")
         ->needs(folder);
+    auto* results = app.get_option("--results");
+    app.add_option("--report", options.report,
+                   "With --results: write them as a page for the browser: scatter plot with Pareto front, parallel "
+                   "coordinates, curves and table of the selected designs")
+        ->type_name("FILE.html")
+        ->needs(results);
+    auto* plot =
+        app.add_option("--plot", options.plot,
+                       "With --results: draw the curves of all designs to FILE.svg, FILE.png or FILE.pdf; needs "
+                       "gnuplot")
+            ->type_name("FILE")
+            ->needs(results);
+    app.add_option("--x", options.axes.x,
+                   "Quantity on the x axis: a column of the curves (elongation), or of the results "
+                   "(geometry.wall, pressure_kPa_at_end), then with a point for each design")
+        ->type_name("QUANTITY")
+        ->needs(plot);
+    app.add_option("--y", options.axes.y, "Quantity on the y axis")->type_name("QUANTITY")->needs(plot);
+    app.add_option("--colour", options.axes.colour,
+                   "Column of the results shown by the colour; default: the first key that varies")
+        ->type_name("QUANTITY")
+        ->needs(plot);
     app.add_option("--programs", options.programs,
                    "File with the versions of the programs, which are part of the hash ID")
         ->type_name("FILE");
@@ -67,7 +94,10 @@ std::optional<SweepPlanOptions> parse_sweep_plan_options(int argc, char** argv) 
     if (!cli::parse(app, about, options.common, argc, argv)) return std::nullopt;
     cli::require_at_most_one(app, std::vector<std::string>{"--prepare", "--results"});
     cli::check_distinct({{"SWEEP", options.input}, {"--programs", options.programs}}, options.common,
-                        {{"--waiting", options.waiting}});
+                        {{"--waiting", options.waiting}, {"--report", options.report}, {"--plot", options.plot}});
+    if (!options.plot.empty()) static_cast<void>(post::picture_format(options.plot));  // before any work
+    if (!options.report.empty() && !options.report.ends_with(".html") && !options.report.ends_with(".htm"))
+        throw Error(ExitCode::usage, "--report " + options.report, "a report is an HTML file; use the extension .html");
     return options;
 }
 
@@ -88,9 +118,37 @@ void print_summary(const SweepPlanOptions& options, std::size_t designs,
     if (!options.common.json.empty()) cli::write_json(options.common.json, json);
 }
 
-ExitCode write_results(const SweepPlanOptions& options, const sweep::Sweep& sweep, const sweep::Plan& plan) {
-    const std::vector<sweep::Outcome> outcomes = outcomes_in(options.folder, sweep, plan);
+/// Writes the report and the plot, if requested.
+void draw_results(const SweepPlanOptions& options, const cli::Input& input, const sweep::Sweep& sweep,
+                  const sweep::Plan& plan, const std::vector<sweep::Outcome>& outcomes) {
+    const std::vector<sweep::TableColumn> factors = sweep::factor_columns(sweep, plan),
+                                          outputs = sweep::output_columns(outcomes);
+    if (!options.report.empty()) {
+        std::vector<std::string> ids;
+        for (const sweep::PlannedDesign& design : plan.designs) ids.push_back(design.id);
+        cli::write_output(options.report, view::make_sweep_report(
+                                              {.title = "Sweep " + fs::path(input.source).stem().string(),
+                                               .ids = ids,
+                                               .factors = factors,
+                                               .outputs = outputs,
+                                               .outcomes = outcomes,
+                                               .sweep_text = std::string{input.text()},
+                                               .made_by = std::string{about.tool} + " " + std::string{cli::version()} +
+                                                          " (" + std::string{cli::revision()} + ")"}));
+    }
+    if (!options.plot.empty())
+        post::run_gnuplot(
+            sweep::plot_script(factors, outputs, outcomes, options.axes, post::picture_format(options.plot)),
+            options.plot);
+}
+
+ExitCode write_results(const SweepPlanOptions& options, const cli::Input& input, const sweep::Sweep& sweep,
+                       const sweep::Plan& plan) {
+    const bool draws = !options.report.empty() || !options.plot.empty();
+    const std::vector<sweep::Outcome> outcomes =
+        outcomes_in(options.folder, sweep, plan, draws ? view::trace_points(plan.designs.size()) : 0);
     cli::write_output(options.common.output, sweep::results_csv(sweep, plan, outcomes));
+    draw_results(options, input, sweep, plan, outcomes);
     const auto count = [&](std::string_view reason) {
         return std::ranges::count(outcomes, reason, &sweep::Outcome::stop_reason);
     };
@@ -112,6 +170,18 @@ std::vector<std::string> listed_values(const sweep::Sweep& sweep, const sweep::P
     return values;
 }
 
+/// Throws Error(bad_input), with the location in the sweep file, for a case without derivatives.
+void require_differentiable(const sweep::Sweep& sweep, const model::Case& model) {
+    try {
+        geometry::require_differentiable(model);
+    } catch (const Error& error) {
+        constexpr std::string_view option = "--";
+        std::string reason = error.what();
+        if (reason.starts_with(option)) reason.erase(0, option.size());
+        throw Error(ExitCode::bad_input, sweep.sensitivity.front().location, reason);
+    }
+}
+
 /// Rejects requested outputs that no curve of the sweep has, before anything is computed. A design that cannot be meshed is skipped;
 /// its row reports the error.
 void check_requests(const sweep::Sweep& sweep, const sweep::Plan& plan, const std::vector<sweep::State>& states) {
@@ -120,17 +190,19 @@ void check_requests(const sweep::Sweep& sweep, const sweep::Plan& plan, const st
     for (std::size_t d = 0; d < states.size(); ++d) {
         const sweep::PlannedDesign& row = plan.designs[d];
         if (states[d] != sweep::State::waiting || seen.contains(listed_values(sweep, row))) continue;
-        std::optional<post::Curve> curve;
+        std::optional<model::Case> model;
         try {
-            curve = sweep::unsolved_curve(
-                geometry::build_case(design::read_design(row.design_yaml, row.id, geometry::catalogue_keys(), {})));
+            model = geometry::build_case(design::read_design(row.design_yaml, row.id, geometry::catalogue_keys(), {}));
         } catch (const Error& error) {
             if (error.code() != ExitCode::bad_input) throw;
             continue;
         }
         seen.insert(listed_values(sweep, row));
         try {
-            sweep::check_requests(sweep, *curve);
+            if (!sweep.sensitivity.empty()) require_differentiable(sweep, *model);
+            const post::Curve curve = sweep::unsolved_curve(*model);
+            sweep::check_requests(sweep, curve);
+            sweep::check_derivatives(sweep, curve);
             return;
         } catch (const Error& error) {
             if (!refusal) refusal = error;
@@ -177,7 +249,7 @@ ExitCode sweep_plan(const SweepPlanOptions& options) {
                                      : text_of(core::read_file(options.programs, max_programs));
     const sweep::Plan plan =
         sweep::make_plan(sweep, {design, source, geometry::catalogue_keys(), programs, geometry::check_geometry});
-    return options.results ? write_results(options, sweep, plan) : write_plan(options, sweep, plan);
+    return options.results ? write_results(options, input, sweep, plan) : write_plan(options, sweep, plan);
 }
 
 }  // namespace

@@ -5,55 +5,10 @@
 
 #include "core/text.hpp"
 #include "core/units.hpp"
-#include "post/request.hpp"
+#include "sweep/point.hpp"
 
 namespace soft::sweep {
 namespace {
-
-bool is_requested(const Sweep& sweep, const post::Column& column) {
-    if (sweep.outputs.empty()) return column.role != post::Role::counter;
-    return std::ranges::find(sweep.outputs, column.name, &SourceText::text) != sweep.outputs.end();
-}
-
-std::vector<post::Request> requests_of(const SourceText& point, const post::Curve& curve) {
-    try {
-        return post::parse_requests(point.text, curve);
-    } catch (const Error& error) {
-        throw Error(ExitCode::bad_input, point.location + ": at", error.what());
-    }
-}
-
-bool is_named_point(const SourceText& point) { return point.text == "end" || point.text == "limit"; }
-
-struct Row {
-    std::optional<std::vector<double>> values;  ///< all columns, in the order of the curve
-    std::string missing;                        ///< the reason if there are no values
-};
-
-Row row_at(const SourceText& point, const post::Curve& curve, std::span<const model::LimitPoint> limit_points) {
-    const auto row = [&curve](std::size_t r) {
-        std::vector<double> values;
-        for (const post::Column& column : curve.columns) values.push_back(column.values.at(r));
-        return values;
-    };
-    if (curve.row_count() == 0) return {std::nullopt, "at " + point.text + ": the path has no rows"};
-    if (point.text == "end") return {row(curve.row_count() - 1), ""};
-    if (point.text == "limit") {
-        if (limit_points.empty()) return {std::nullopt, "at limit: the path has no limit point"};
-        return {row(static_cast<std::size_t>(limit_points.front().step)), ""};
-    }
-    try {
-        const post::Curve there = post::rows_at(curve, requests_of(point, curve));
-        std::vector<double> values;
-        for (const post::Column& column : there.columns) values.push_back(column.values.front());
-        return {values, ""};
-    } catch (const Error& error) {
-        const std::string_view reason = error.what();
-        constexpr std::string_view option = "--at ";
-        if (!reason.starts_with(option)) throw;  // not a point that any path could reach
-        return {std::nullopt, "at " + std::string{reason.substr(option.size())}};
-    }
-}
 
 /// A value or a unit as part of a column name.
 std::string name_part(std::string_view text) {
@@ -118,8 +73,9 @@ Outputs outputs_of(const Sweep& sweep, const post::Curve& curve, std::span<const
             const post::Column& column = curve.columns[c];
             if (!is_requested(sweep, column) || (sweep.outputs.empty() && column.quantity == requested_quantity))
                 continue;
-            outputs.cells.push_back(
-                {column_at(column.name, point.text, curve), values ? std::optional{(*values)[c]} : std::nullopt});
+            outputs.cells.push_back({column_at(column.name, point.text, curve),
+                                     values ? std::optional{(*values)[c]} : std::nullopt,
+                                     label_at(column.quantity, point.text), column.unit});
         }
     }
     return outputs;

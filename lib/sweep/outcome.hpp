@@ -10,6 +10,7 @@
 #include "model/path.hpp"
 #include "post/curve.hpp"
 #include "sweep/sweep.hpp"
+#include "sweep/trace.hpp"
 
 namespace soft::sweep {
 
@@ -28,6 +29,7 @@ struct Status {
 struct Cell {
     std::string column;  ///< "pressure_kPa_at_elongation_5mm"
     std::optional<double> value;
+    std::string label = {}, unit = {};  ///< "pressure at elongation=5mm", "kPa"
 };
 
 /// The name of the results column for a column of the curve at a point of the path. It consists of letters, digits and _, so that
@@ -48,6 +50,7 @@ struct Outcome {
     std::string error = {};             ///< one line
     std::vector<std::string> columns = {};  ///< columns of its curve; empty without a curve
     std::vector<Cell> outputs = {};
+    Trace trace = {};  ///< if requested
 };
 
 /// Evaluates the columns of the curve that the sweep requests (all except the step number if it names none) at each of its points.

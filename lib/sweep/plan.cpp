@@ -9,6 +9,7 @@
 #include "core/files.hpp"
 #include "core/hash.hpp"
 #include "core/text.hpp"
+#include "sweep/derivatives.hpp"
 #include "sweep/sampling.hpp"
 
 namespace soft::sweep {
@@ -18,6 +19,7 @@ namespace {
 constexpr int significant_digits = 9;
 constexpr std::size_t id_length = 16;
 constexpr std::size_t max_file = std::size_t{4} << 30;  // bytes, the limit of a mesh file
+constexpr std::string_view sensitivity_line = "# sensitivity: ";
 constexpr std::array file_keys{"geometry.file", "geometry.profile"};
 
 std::string with_unit(const Range& range, double value) {
@@ -55,7 +57,9 @@ PlannedDesign planned(const Sweep& sweep, const PlanInput& input, std::vector<st
     std::optional<std::string> refusal;
     try {
         design::Design design = design::read_design(input.design_text, input.design_source, input.families, settings);
-        std::string content = design.effective_yaml;
+        const std::string keys = sensitivity_keys(sweep, design.parameters),
+                          head = keys.empty() ? "" : std::string{sensitivity_line} + keys + "\n";
+        std::string content = head + design.effective_yaml;
         for (const char* file_key : file_keys) {  // use an absolute path, and hash the content of the file
             if (!design.values.has(file_key)) continue;
             if (design.values.text(file_key).find('\n') != std::string::npos)
@@ -67,7 +71,7 @@ PlannedDesign planned(const Sweep& sweep, const PlanInput& input, std::vector<st
             design = design::read_design(input.design_text, input.design_source, input.families, settings);
         }
         row.id = design_id(content, input);
-        row.design_yaml = std::move(design.effective_yaml);
+        row.design_yaml = head + design.effective_yaml;
         row.geometry_refused = true;
         if (input.check_geometry) input.check_geometry(design);
         row.geometry_refused = false;
@@ -118,6 +122,26 @@ void check_range_ends(const Sweep& sweep, const PlanInput& input, const PlannedD
             const PlannedDesign row = planned(sweep, input, std::move(values));
             if (is_caused_by(row, end)) throw Error(ExitCode::bad_input, "", row.refusal);
         }
+    }
+}
+
+/// Throws if no design has a number of `sensitivity`.
+void check_sensitivity(const Sweep& sweep, const PlanInput& input, const Plan& plan, const PlannedDesign& accepted) {
+    for (const SourceText& key : sweep.sensitivity) {
+        const auto has_key = [&](const PlannedDesign& design) {
+            const std::string line = design.design_yaml.substr(0, design.design_yaml.find('\n'));
+            if (!line.starts_with(sensitivity_line)) return false;
+            const std::vector<std::string> keys = core::split(line.substr(sensitivity_line.size()), ',');
+            return std::ranges::find(keys, key.text) != keys.end();
+        };
+        if (std::ranges::any_of(plan.designs, has_key)) continue;
+        std::vector<std::string> known{"all"};
+        for (const auto& parameter :
+             design::read_design(accepted.design_yaml, accepted.id, input.families, {}).parameters)
+            known.push_back(parameter.key);
+        throw Error(ExitCode::bad_input, key.location + ": sensitivity",
+                    core::quoted(key.text) + " is not a number of the design that differs from 0",
+                    core::did_you_mean(key.text, known));
     }
 }
 
@@ -182,6 +206,7 @@ Plan make_plan(const Sweep& sweep, const PlanInput& input) {
     const auto accepted =
         std::ranges::find_if(plan.designs, [](const PlannedDesign& row) { return row.refusal.empty(); });
     if (accepted == plan.designs.end()) throw Error(ExitCode::bad_input, "", plan.designs.front().refusal);
+    check_sensitivity(sweep, input, plan, *accepted);
     check_choices(sweep, plan);
     check_range_ends(sweep, input, *accepted);
     return plan;

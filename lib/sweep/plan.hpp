@@ -25,9 +25,11 @@ struct PlannedDesign {
     /// For a refused design, of the design text and the settings instead.
     std::string id;
     std::vector<std::string> values;  ///< one per factor, as written in a design
-    std::string design_yaml;          ///< effective design with absolute file paths; empty if refused
-    std::string refusal;              ///< one line; empty for a valid design
-    bool geometry_refused = false;    ///< refused by PlanInput::check_geometry instead of by the keys of the design
+    /// Effective design with absolute file paths; empty if refused. Its first line is "# sensitivity: KEY,KEY" if the sweep requests
+    /// derivatives that the design has; scripts/sweep-design passes them to mesh-gen.
+    std::string design_yaml;
+    std::string refusal;            ///< one line; empty for a valid design
+    bool geometry_refused = false;  ///< refused by PlanInput::check_geometry instead of by the keys of the design
 };
 
 struct Plan {
@@ -38,7 +40,7 @@ struct Plan {
 [[nodiscard]] bool is_design_id(std::string_view id) noexcept;
 
 /// Makes the designs of a sweep. A refused combination of values becomes a row with its refusal. Throws Error(bad_input), as
-/// read_design does, if all designs are refused, if a listed value is refused in all designs that have it, or if an end of a range
+/// read_design does, if no design has a number under `sensitivity`, if all designs are refused, if a listed value is refused in all designs that have it, or if an end of a range
 /// is refused in the first valid design.
 [[nodiscard]] Plan make_plan(const Sweep& sweep, const PlanInput& input);
 

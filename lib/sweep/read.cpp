@@ -16,7 +16,8 @@ using design::Node;
 using design::refuse;
 
 const std::vector<std::string>& top_keys() {
-    static const std::vector<std::string> keys{"design", "method", "samples", "seed", "vary", "set", "at", "outputs"};
+    static const std::vector<std::string> keys{"design", "method", "samples", "seed",       "vary",
+                                               "set",    "at",     "outputs", "sensitivity"};
     return keys;
 }
 const std::vector<std::string>& range_keys() {
@@ -221,6 +222,8 @@ Sweep read_sweep(std::string_view text, std::string_view source) {
     if (const Node* at = design::find(root, "at")) sweep.at = points_of(*at);
     if (const Node* outputs = design::find(root, "outputs"))
         sweep.outputs = one_or_more(*outputs, "outputs", "pressure_kPa");
+    if (const Node* sensitivity = design::find(root, "sensitivity"))
+        sweep.sensitivity = one_or_more(*sensitivity, "sensitivity", "geometry.wall");
     check_size(sweep, vary.location);
     return sweep;
 }

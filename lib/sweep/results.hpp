@@ -2,9 +2,8 @@
 /// The tables of a sweep as comma-separated text (RFC 4180, lines end with '\n'), one row per design. Tested by
 /// sweep/results_test.
 ///
-/// Column of a factor: its key path with _ for each dot. If all its values have the same unit, the unit is appended
-/// (geometry_cap_mm) and the cells are numbers; otherwise the cells are the values as written. Columns of outputs: column_at in
-/// outcome.hpp.
+/// Column of a factor: its key path with _ for each dot, and the unit (geometry_cap_mm; factor_columns in table.hpp). Columns of
+/// outputs: column_at in outcome.hpp.
 #include <span>
 #include <string>
 #include <vector>

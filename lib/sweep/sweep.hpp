@@ -11,6 +11,7 @@
 ///     set: {mesh.size: 3 mm}               # the same in all designs
 ///     at: [elongation=5mm,10mm, limit, end]
 ///     outputs: [pressure_kPa, volume_mL]   # columns of the curve; default all
+///     sensitivity: [geometry.wall]         # numbers of the design by which the outputs are differentiated; or all
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -58,6 +59,7 @@ struct Sweep {
     std::vector<design::Override> fixed;  ///< `set`, with locations
     std::vector<SourceText> at;           ///< one point each: "elongation=5mm", "limit", "end"; default "end"
     std::vector<SourceText> outputs;      ///< empty: all columns
+    std::vector<SourceText> sensitivity;  ///< keys of numbers of the design, or "all"; empty: no derivatives
 };
 
 /// Maximum number of designs; the plan is kept in memory.

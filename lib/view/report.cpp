@@ -1,6 +1,7 @@
 #include "view/report.hpp"
 
 #include "core/error.hpp"
+#include "view/page.hpp"
 #include "view/scene.hpp"
 #include "view/sections.hpp"
 #include "view/text.hpp"
@@ -36,20 +37,12 @@ void require_viewer() {
 std::string make_report(const Content& content, std::size_t body_bytes) {
     require_viewer();
     const Scene scene = make_scene(content.result, content.curve, body_bytes);
-    const std::string script = scene.json.empty() ? "" : joined(viewer_bundle().script),
-                      title = escaped(content.result.model.name);
-    const std::string policy =
-        "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src '" + policy_hash(script) + "'";
-    std::string page = "<!DOCTYPE html>\n<html lang='en'>\n<head>\n<meta charset='utf-8'>\n";
-    page += "<meta http-equiv='Content-Security-Policy' content=\"" + policy + "\">\n";
-    page += "<meta name='viewport' content='width=device-width, initial-scale=1'>\n<link rel='icon' href='data:,'>\n";
-    page += "<title>" + title + "</title>\n<style>" + std::string{style} + "</style>\n</head>\n<body>\n<h1>" + title +
-            "</h1>\n";
-    page += summary_section(content) + curve_section(content) + body_section(scene) + comparison_section(content) +
-            mesh_section(content) + material_section(content) + table_section(content) + design_section(content) +
-            provenance_section(content) + licence_section();
-    if (!script.empty()) page += "<script>" + script + "</script>\n";
-    return page + "</body>\n</html>\n";
+    const std::string script = scene.json.empty() ? "" : joined(viewer_bundle().script);
+    const std::string body = summary_section(content) + curve_section(content) + body_section(scene) +
+                             comparison_section(content) + mesh_section(content) + material_section(content) +
+                             table_section(content) + design_section(content) + provenance_section(content) +
+                             licence_section();
+    return html_page(content.result.model.name, style, body, script);
 }
 
 }  // namespace soft::view

@@ -62,6 +62,18 @@ TEST(Plan, IdentifierChangesWithEverythingThatAffectsTheResult) {
     EXPECT_EQ(ids(plan_of("geometry.wall: [3 mm, 2 mm]"))[0], plain[1]);
 }
 
+TEST(Plan, DesignWithSensitivitiesNamesThemInItsFirstLineAndHasAnotherIdentifier) {
+    const Plan plain = plan_of("geometry.wall: [2 mm, 3 mm]"),
+               differentiated = plan_of("geometry.wall: [2 mm, 3 mm]", "sensitivity: [geometry.wall, material.mu]\n");
+    EXPECT_NE(ids(differentiated)[0], ids(plain)[0]);
+    EXPECT_EQ(differentiated.designs[0].design_yaml,
+              "# sensitivity: geometry.wall,material.mu\n" + plain.designs[0].design_yaml);
+    EXPECT_EQ(
+        plan_refusal("geometry.wall: [2 mm, 3 mm]", "sensitivity: [material.mu, geometry.wal]\n"),
+        "s.yaml:2:28: sensitivity: 'geometry.wal' is not a number of the design that differs from 0; did you mean "
+        "'geometry.wall'?");
+}
+
 TEST(Plan, SampleIsReproducibleAndWithinItsRanges) {
     const std::string vary = "geometry.wall: {from: 2 mm, to: 4 mm}, geometry.folds: {from: 3, to: 5, scale: whole}";
     const Plan plan = plan_of(vary, "method: latin-hypercube\nsamples: 30\nseed: 4\n");

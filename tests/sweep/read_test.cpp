@@ -34,7 +34,8 @@ TEST(ReadSweep, ReadsEveryKey) {
     const Sweep sweep = read_sweep(
         "design: ../pipe.yaml\nmethod: latin-hypercube\nsamples: 100\nseed: 5\n"
         "vary:\n  geometry.wall: {from: 2 mm, to: 4 mm, scale: log}\n  material.law: [yeoh, gent]\n"
-        "set: {mesh.size: 3 mm, supports.fixed: [a, b]}\nat: [elongation=20mm,40 mm, limit, end]\noutputs: [pressure_kPa]\n",
+        "set: {mesh.size: 3 mm, supports.fixed: [a, b]}\nat: [elongation=20mm,40 mm, limit, end]\noutputs: [pressure_kPa]\n"
+        "sensitivity: [geometry.wall, material.mu]\n",
         "s.yaml");
     EXPECT_EQ(sweep.design.text, "../pipe.yaml");
     EXPECT_EQ(sweep.method, Method::latin_hypercube);
@@ -52,6 +53,7 @@ TEST(ReadSweep, ReadsEveryKey) {
     for (const SourceText& point : sweep.at) at.push_back(point.text);
     EXPECT_EQ(at, (std::vector<std::string>{"elongation=20mm", "elongation=40 mm", "limit", "end"}));
     EXPECT_EQ(sweep.outputs.at(0).text, "pressure_kPa");
+    EXPECT_EQ(sweep.sensitivity.at(1).text, "material.mu");
 }
 
 TEST(ReadSweep, EvaluatesAtTheEndOfThePathByDefault) { EXPECT_EQ(read_sweep(grid, "s.yaml").at.at(0).text, "end"); }

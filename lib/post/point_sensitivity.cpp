@@ -1,0 +1,49 @@
+#include "post/point_sensitivity.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace soft::post {
+namespace {
+
+/// The slope of a quantity over the first output along the path.
+double slope(const model::Step& step, std::size_t quantity) {
+    const double tangent = quantity == 0 ? step.tangent_pressure : step.tangent_outputs[quantity - 1];
+    return tangent / step.tangent_outputs[0];
+}
+
+}  // namespace
+
+SensitivityColumns add_sensitivity_columns(Curve& curve, const model::Case& model, std::span<const model::Step> steps) {
+    const SensitivityColumns added{curve.columns.size(), 1 + model.outputs.size()};
+    const auto is_complete = [&](const model::Step& step) {
+        return step.tangent_outputs.size() == model.outputs.size() &&
+               step.derivatives.size() == model.parameters.size() * added.quantities;
+    };
+    if (model.outputs.empty() || model.parameters.empty() || !std::ranges::all_of(steps, is_complete)) return {};
+    const auto add = [&](auto value_at) {
+        Column column;
+        for (std::size_t row = 0; row < steps.size(); ++row) column.values.push_back(value_at(row));
+        curve.columns.push_back(std::move(column));
+    };
+    for (std::size_t q = 0; q < added.quantities; ++q) add([&](std::size_t row) { return slope(steps[row], q); });
+    for (std::size_t p = 0; p < model.parameters.size(); ++p)
+        for (std::size_t q = 0; q < added.quantities; ++q)
+            add([&](std::size_t row) {
+                return with_derivatives(steps, row, [&](std::size_t known) {
+                    const double* D = &steps[known].derivatives[p * added.quantities];
+                    return D[1] == 0 ? D[q] : D[q] - slope(steps[known], q) * D[1];
+                });
+            });
+    return added;
+}
+
+double sensitivity_at(std::span<const double> row, const SensitivityColumns& columns, const Sensitivity& which) {
+    if (which.quantity == which.held) return 0;
+    const std::span<const double> slopes = row.subspan(columns.first, columns.quantities),
+                                  D = row.subspan(columns.first + (1 + which.parameter) * columns.quantities,
+                                                  columns.quantities);
+    return D[which.quantity] - slopes[which.quantity] / slopes[which.held] * D[which.held];
+}
+
+}  // namespace soft::post
