@@ -19,11 +19,15 @@ std::vector<Key> head_keys(const FamilyKeys& family) {
 }
 
 std::vector<Key> model_keys(const FamilyKeys& family) {
+    const bool selects = std::ranges::find(family.models, "auto") != family.models.end();
     std::vector<Key> keys = {
         choice_key(
             "model", family.models.empty() ? "" : family.models.front(), family.models,
-            "what is meshed: the section of a body of revolution or of a long body in plane strain (1 m deep), or "
-            "a solid, whole or cut at its planes of symmetry"),
+            std::string{
+                "what is meshed: the section of a body of revolution or of a long body in plane strain (1 m deep), or "
+                "a solid, whole or cut at its planes of symmetry"} +
+                (selects ? "; auto: half unless a load, an output or an obstacle may break the symmetry, else solid"
+                         : "")),
         value_key("mesh.size", Kind::length, above(0), "target edge length of a cell"),
         choice_key("mesh.quality", "normal", {"draft", "normal", "fine"},
                    "number of cells where mesh.size is auto: draft has half as many along every length, fine 1.5 times "

@@ -4,6 +4,7 @@
 ///         to A(face) about the axis, in the plane perpendicular to it;
 ///   twist: atan2(sum w (X x x).e, sum w X.x), X and x projected perpendicular to the axis e, w = int N_a dA: exact for a rigid
 ///         rotation by any angle, a least-squares fit for a deformed face.
+/// A face that continues across a symmetry plane (model::face_symmetry) is measured with its mirror image.
 /// Angles in (-pi, pi]; for a section in plane strain, per metre of depth, about z. Derived here. Tested by fem/loads_test.
 #include <array>
 #include <vector>
@@ -14,8 +15,10 @@ namespace soft::fem {
 
 /// A face of a rotation output: this rank's facets with int N_a dA over each undeformed facet's nodes.
 struct RotationFace {
+    using Axes = std::array<Vector3, 2>;  ///< two directions perpendicular to the axis
     std::vector<SurfaceCell> facets;
     std::vector<std::vector<double>> weights;  ///< [facet][node] [m^2]
+    std::vector<Axes> images;  ///< of the face and its mirror images: the axes, mirrored in place of the face
 };
 
 struct Rotation {

@@ -37,6 +37,7 @@ Model model_of(const design::Values& values) {
     if (word == "solid") return Model::solid;
     if (word == "half") return Model::half;
     if (word == "quarter") return Model::quarter;
+    if (word == "auto") return Model::automatic;
     throw values.refuse("model", "'" + word + "' is not a model",
                         "use axisymmetric, plane-strain, solid, half or quarter");
 }

@@ -49,6 +49,8 @@ int CellSize::along(double length_m, int min_cells) const {
     return meshing::divisions(length_m, length_m_, stated_ ? min_cells : scaled_count(values_, min_cells));
 }
 
+bool CellSize::is_through_stated() const { return stated_through_wall(values_) > 0; }
+
 int CellSize::through(double wall_m, int own, int min_cells) const {
     if (const int stated = stated_through_wall(values_); stated > 0) return stated;
     return stated_ || own == 0 ? along(wall_m, min_cells) : scaled_count(values_, own);

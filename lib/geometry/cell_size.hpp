@@ -22,6 +22,7 @@ public:
 
     [[nodiscard]] double length_m() const { return length_m_; }
     [[nodiscard]] bool is_stated() const { return stated_; }  ///< by mesh.size
+    [[nodiscard]] bool is_through_stated() const;             ///< mesh.through_wall
 
     /// Cells along a length. `min_cells` applies to the quality normal and is scaled with the quality.
     [[nodiscard]] int along(double length_m, int min_cells = 1) const;

@@ -20,7 +20,8 @@
 namespace soft::geometry {
 
 /// What is meshed: the section of a body of revolution, the section (x, y) of a long body, or a solid (whole, half or quarter).
-enum class Model { axisymmetric, plane_strain, solid, half, quarter };
+/// automatic: the family selects the half or the whole solid by the loads.
+enum class Model { axisymmetric, plane_strain, solid, half, quarter, automatic };
 
 /// The `model` of the design; throws values.refuse(...) for an unknown word.
 [[nodiscard]] Model model_of(const design::Values& values);

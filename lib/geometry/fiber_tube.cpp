@@ -12,6 +12,7 @@
 #include "geometry/keys.hpp"
 #include "geometry/strip.hpp"
 #include "geometry/tube_section.hpp"
+#include "meshing/box_grid.hpp"
 #include "meshing/capped.hpp"
 
 namespace soft::geometry {
@@ -115,7 +116,7 @@ Body half_tube(const design::Values& values, const TubeShape& shape, const std::
     const meshing::Capped along{shape.length_m,
                                 shape.cap_m,
                                 size.through(shape.cap_m, own_through),
-                                size.along(shape.length_m - 2 * shape.cap_m),
+                                meshing::graded_shares(size.along(shape.length_m - 2 * shape.cap_m), 1, {}),
                                 "fixed",
                                 "inlet",
                                 reach_of(values) == Reach::whole_length
@@ -123,7 +124,7 @@ Body half_tube(const design::Values& values, const TubeShape& shape, const std::
                                     : std::vector<std::string>{fiber_region, flat_fiber_region}};
     const meshing::Section section = half_round_section({shape.inner_m, shape.outer_m, flat_m, strip_m}, layers, cells,
                                                         model == Model::half ? Cut::half : Cut::whole);
-    refuse_too_many_cells(values, cell_count(section) * (2.0 * along.cap_cells + along.along_cells));
+    refuse_too_many_cells(values, cell_count(section) * along.layers());
     Body body;
     body.sweep = ReadyMesh{meshing::capped(section, along, "cavity"), model::Kinematics::solid};
     body.cavities = {{"cavity", "cavity", {}, {}}};

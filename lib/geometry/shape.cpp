@@ -64,7 +64,8 @@ Solid revolved(const mesh::Mesh& section, const Body& body, const Revolution& re
             solid.mesh = section;
             solid.kinematics = model::Kinematics::axisymmetric;
             break;
-        case Model::plane_strain: throw std::logic_error("a body of revolution has no plane strain");
+        case Model::plane_strain:
+        case Model::automatic: throw std::logic_error("a body of revolution has no such model");
         case Model::solid:
             solid.mesh = meshing::revolve(section, meshing::Turn::full, revolution.sectors_per_quarter);
             break;

@@ -1,6 +1,7 @@
 #include "meshing/capped.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "meshing/section_mesher.hpp"
@@ -46,14 +47,25 @@ private:
     std::vector<Index> numbers_, kept_;
 };
 
-/// Maps a block extruded in layers of unit length along the third axis to x, with the layer lengths of caps and chambers.
+/// The planes between the layers of cells.
+std::vector<double> planes_m(const Capped& shape) {
+    std::vector<double> planes;
+    for (int i = 0; i < shape.cap_cells; ++i) planes.push_back(shape.cap_m * i / shape.cap_cells);
+    double share = 0;
+    for (const double next : shape.shares) {
+        planes.push_back(shape.cap_m + (shape.length_m - 2 * shape.cap_m) * share);
+        share += next;
+    }
+    for (int i = shape.cap_cells; i >= 0; --i) planes.push_back(shape.length_m - shape.cap_m * i / shape.cap_cells);
+    return planes;
+}
+
+/// Maps a block extruded in layers of unit length along the third axis to x.
 void lay_along_x(mesh::Mesh& block, const Capped& shape) {
-    const double cap = shape.cap_cells, along = shape.along_cells;
+    const std::vector<double> planes = planes_m(shape);
     for (mesh::Point& p : block.points) {
-        const double t = p[2];
-        const double x = t <= cap           ? shape.cap_m * t / cap
-                         : t <= cap + along ? shape.cap_m + (shape.length_m - 2 * shape.cap_m) * (t - cap) / along
-                                            : shape.length_m - shape.cap_m * (2 * cap + along - t) / cap;
+        const std::size_t layer = std::min(static_cast<std::size_t>(p[2]), planes.size() - 2);
+        const double x = std::lerp(planes[layer], planes[layer + 1], p[2] - static_cast<double>(layer));
         p = {x, p[0], p[1]};
     }
 }
@@ -110,7 +122,7 @@ mesh::Mesh hollowed(const mesh::Mesh& block, const std::function<std::string(Ind
 }
 
 mesh::Mesh capped(const Section& section, const Capped& shape, const std::string& chamber) {
-    const int layers = 2 * shape.cap_cells + shape.along_cells;
+    const int layers = shape.layers();
     mesh::Mesh block =
         extrude(mesh_section(section),
                 {static_cast<double>(layers), layers, {shape.low_face}, {shape.high_face}, Extrusion::Along::z});

@@ -12,9 +12,12 @@ namespace soft::meshing {
 
 struct Capped {
     double length_m, cap_m;                      ///< total length including caps; length of each cap
-    int cap_cells, along_cells;                  ///< cells along x: in each cap, and between the caps
+    int cap_cells;                               ///< along x, in each cap
+    std::vector<double> shares;                  ///< cell lengths between the caps over their distance; the sum is 1
     std::string low_face, high_face;             ///< at x = 0 and x = length
     std::vector<std::string> between_caps = {};  ///< regions that end at the caps, which are rubber there
+
+    [[nodiscard]] int layers() const { return 2 * cap_cells + static_cast<int>(shares.size()); }  ///< cells along x
 };
 
 /// The section is in (y, z). Its regions whose names begin with `chamber` become cavities with faces of the same names; within the

@@ -27,6 +27,9 @@ constexpr double flat_load = 0.1;
 /// With fibres and in contact, the error of the state is relative to at least this fraction of the state: each point whose fibres go
 /// taut or slack, or which begins to touch, bends the path, and the error relative to a shorter step does not decrease.
 constexpr double min_kinked_step = 0.1;
+/// The same for fibres where the loads are prescribed, so that the path does not turn back: the curve between rows errs far less
+/// than the predictor beyond them. With 0.1 a segment needs twice the steps for a curve that differs by less than 1e-4.
+constexpr double min_fibre_step = 0.5;
 /// Bounds of the step-size factor from one step to the next.
 constexpr double max_growth = 2.5, growth_of_linear_steps = 100.0, min_shrink = 0.3, min_retake = 0.1;
 /// Times the error allowed in time: a step with a larger one is repeated.
@@ -95,7 +98,11 @@ PredictorError error_of(const fem::System& system, const PathState& path, const 
     const double unknown = equilibrium_margin * settings.residual_tolerance;
     const double error = distance(aim.forecast.x, point.state.x), change = distance(point.state.x, path.last->state.x);
     const double size = linalg::norm(point.state.x), negligible = negligible_error * settings.step_accuracy;
-    const double step = std::max(change, may_have_kinks(system, point) ? min_kinked_step * size : 0.0);
+    const bool is_prescribed = path.control.kind == ConstraintKind::load_factor;
+    const double min_step = !may_have_kinks(system, point)    ? 0.0
+                            : point.touches || !is_prescribed ? min_kinked_step
+                                                              : min_fibre_step;
+    const double step = std::max(change, min_step * size);
     const double load = std::abs(point.leading);
     const double load_error = std::abs(leading_of(system.input(), *path.loads, aim.forecast) - point.leading);
     const double load_step = std::max(std::abs(point.leading - path.last->leading), flat_load * load);

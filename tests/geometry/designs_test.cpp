@@ -60,7 +60,7 @@ TEST_P(EveryFamily, BuildsFromFamilyMaterialAndPressureOnly) {
         std::size_t cavities = 1, outputs = 1;
     };
     const std::map<std::string, Short> others{{"two-spheres", {"cavities: {left: {pressure: 5 kPa}}", 2, 0}},
-                                              {"segment", {"cavities: {chamber_1: {pressure: 5 kPa}}", 3, 3}},
+                                              {"segment", {"cavities: {chamber_1: {pressure: 5 kPa}}", 1, 3}},
                                               {"pneunet", {.outputs = 3}},
                                               {"sphere", {.outputs = 0}},
                                               {"ring", {.outputs = 0}},

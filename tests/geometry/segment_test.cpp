@@ -1,6 +1,7 @@
 // The body with several chambers: volumes in closed form, positions of the chambers, jacket, rejected values; hollowed blocks.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -71,6 +72,80 @@ TEST(Segment, VolumesAndAreasMatch) {
         split["mesh.cells"] = "simplices";
         expect_closed_forms(module, sample::solid("segment", "solid", split), curved);
     }
+}
+
+TEST(Segment, HalfHasTheVolumesAndAreasOfTheWhole) {
+    for (const int chambers : {2, 3, 4}) {
+        Module module;
+        module.chambers = chambers;
+        const Solid whole = sample::solid("segment", "solid", changes_of(module)),
+                    half = sample::solid("segment", "half", changes_of(module));
+        EXPECT_EQ(2 * half.mesh.cell_count(), whole.mesh.cell_count());
+        EXPECT_NEAR(sample::rubber_m3(half) / sample::rubber_m3(whole), 1, 1e-12);
+        std::vector<std::string> faces{"fixed", "end", "outer", "bore", chamber(0)};
+        if (chambers % 2 == 0) faces.push_back(chamber(chambers / 2));
+        for (const std::string& face : faces)
+            EXPECT_NEAR(sample::area_m2(half, face) / sample::area_m2(whole, face), 1, 1e-12) << face;
+        for (int k = 0; k < chambers; ++k)
+            EXPECT_EQ(half.mesh.facet_sets.contains(chamber(k)), std::ranges::find(faces, chamber(k)) != faces.end());
+        EXPECT_NEAR(sample::cavity_m3(half, 0, chamber(0)) / sample::cavity_m3(whole, 0, chamber(0)), 1, 1e-12);
+        for (const mesh::Facet& facet : half.mesh.facet_sets.at("symmetry_y"))
+            for (const mesh::Index n : facet_nodes(half.mesh, facet)) EXPECT_EQ(half.mesh.point(n)[1], 0);
+    }
+}
+
+TEST(Segment, IsCutWhereNothingBreaksTheSymmetry) {
+    const auto is_half = [](const std::string& more,
+                            const std::string& loads = "cavities: {chamber_1: {pressure: 5 kPa}}", int chambers = 3) {
+        const std::string text = "family: segment\ngeometry: {chambers: " + std::to_string(chambers) +
+                                 ", jacket: {thickness: 0.5 mm}}\nmaterial: {law: neo-hookean, mu: 0.1 MPa, density: "
+                                 "1000 kg/m^3}\nloads: {" +
+                                 loads + "}\n" + more;
+        return build_case(design::read_design(text, "s.yaml", catalogue_keys(), {})).symmetry_planes[1];
+    };
+    const std::string one = "cavities: {chamber_1: {pressure: 5 kPa}}";
+    EXPECT_TRUE(is_half(""));
+    EXPECT_FALSE(is_half("model: solid\n"));
+    EXPECT_FALSE(is_half("", "cavities: {chamber_2: {pressure: 5 kPa}}"));
+    EXPECT_TRUE(is_half("", "cavities: {chamber_2: {pressure: 5 kPa}}", 2));
+    EXPECT_TRUE(is_half("", "cavities: {chamber_1: {pressure: 5 kPa}, chamber_3: {pressure: 3 kPa}}", 4));
+    EXPECT_FALSE(is_half("", "cavities: {chamber_1: {pressure: 5 kPa}, chamber_2: {pressure: 5 kPa}}", 4));
+    EXPECT_TRUE(is_half("", one + ", gravity: {acceleration: 9.81 m/s^2, along: -z}"));
+    EXPECT_FALSE(is_half("", one + ", gravity: {acceleration: 9.81 m/s^2, along: -y}"));
+    EXPECT_TRUE(is_half("", one + ", end: {force: 0.1 N, along: z}"));
+    EXPECT_FALSE(is_half("", one + ", end: {force: 0.1 N, along: y}"));
+    EXPECT_FALSE(is_half("", one + ", end: {displacement: 1 mm, along: y}"));
+    EXPECT_FALSE(is_half("obstacles: {table: {plane: {point: [0 mm, 0 mm, -20 mm], normal: [0, 0, 1]}}}\n"));
+    EXPECT_FALSE(is_half("outputs: {left: {face: chamber_2, along: x}}\n"));
+    EXPECT_FALSE(is_half("outputs: {left: {point: [20 mm, -12 mm, 0 mm], along: x}}\n"));
+    EXPECT_FALSE(is_half("supports: {fixed: [fixed, chamber_2]}\n"));
+    EXPECT_FALSE(is_half("path: {frequencies: 2}\n"));
+    EXPECT_FALSE(is_half("path: {branch: follow}\n"));
+    const auto of_fibers = [&](const std::string& families) {
+        const design::Override more[] = {{"geometry.jacket.fibers.k1", "1 MPa"},
+                                         {"geometry.jacket.fibers.families", families}};
+        return build_case(
+                   design::read_design("family: segment\ngeometry: {jacket: {thickness: 0.5 mm}}\nmaterial: {law: "
+                                       "neo-hookean, mu: 0.1 MPa}\nloads: {" +
+                                           one + "}\n",
+                                       "s.yaml", catalogue_keys(), more))
+            .symmetry_planes[1];
+    };
+    EXPECT_TRUE(of_fibers("2"));
+    EXPECT_FALSE(of_fibers("1"));
+}
+
+TEST(Segment, ChambersBesideThePlaneOfAHalfAreNotLoaded) {
+    const auto refused = [](const std::string& load) {
+        return sample::refusal(
+            design::read_design("family: segment\nmodel: half\nmaterial: {law: neo-hookean, mu: 0.1 "
+                                "MPa}\nloads: {cavities: {" +
+                                    load + ": {pressure: 5 kPa}}}\n",
+                                "s.yaml", catalogue_keys(), {}));
+    };
+    EXPECT_EQ(refused("chamber_1"), "accepted");
+    for (const char* beside : {"chamber_2", "chamber_3"})
+        EXPECT_NE(refused(beside).find("this model has no face '" + std::string{beside}), std::string::npos);
 }
 
 /// The first is centred on z; the others follow at equal angles, in the direction from y toward z.
