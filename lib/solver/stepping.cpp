@@ -32,6 +32,8 @@ constexpr double min_kinked_step = 0.1;
 constexpr double min_fibre_step = 0.5;
 /// Bounds of the step-size factor from one step to the next.
 constexpr double max_growth = 2.5, growth_of_linear_steps = 100.0, min_shrink = 0.3, min_retake = 0.1;
+/// Times the estimated error of the viscous stress, so that loads and outputs of stress that nearly cancels hold the accuracy too.
+constexpr double safety_in_time = 2.0;
 /// Times the error allowed in time: a step with a larger one is repeated.
 constexpr double rejected_in_time = 2.0;
 /// Newton iterations beyond which the step does not grow.
@@ -160,7 +162,7 @@ std::optional<double> error_in_time(fem::System& system, const PathState& path, 
     if (!limits_steps_in_time(system, path)) return std::nullopt;
     system.prescribe(point.levels);
     const auto error = system.fields().error_in_time(point.state.x);
-    return error ? std::optional(*error / system.input().path.time_accuracy) : std::nullopt;
+    return error ? std::optional(safety_in_time * *error / system.input().path.time_accuracy) : std::nullopt;
 }
 
 bool shorten_for_time(const fem::System& system, PathState& path, std::optional<double> error, const PathPoint& point) {

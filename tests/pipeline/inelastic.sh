@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Viscoelastic and softening rubber through the tools: cycles, resumption, ranks, threads, error bars, pictures and refusals.   inelastic.sh BIN CMAKE
+# shellcheck disable=SC2016  # awk expands its own variables
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 
 cycles='--set mesh.quality=draft --set path.repeat=2'

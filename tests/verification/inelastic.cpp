@@ -1,6 +1,8 @@
 // Viscoelastic and softening rubber: a bar under prescribed stretch and stress, and a sphere with prescribed volume.
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <numbers>
 
 #include "core/text.hpp"
 #include "inelastic_formula.hpp"
@@ -120,6 +122,47 @@ Problem sphere_of(const std::string& name, const std::string& effects) {
             }};
 }
 
+/// A light bar under a small sinusoidal traction, as a motion: in the last cycle the strain has the amplitude and the phase of the complex
+/// modulus E' + i E'' of a Prony series.
+Problem shaken_bar() {
+    return {group, "harmonic stress", [] {
+                constexpr double frequency_Hz = 0.5, stress_Pa = 2e3, omega = 2 * std::numbers::pi * frequency_Hz;
+                const auto run = run_design(
+                    bar, {material(laws[0].second, std::string(viscous) + ", density: 1 kg/m^3"), "path.stages={}",
+                          "loads={end: {traction: 2 kPa, along: x, time_function: {kind: sine, frequency: 0.5 Hz}}}",
+                          "outputs={elongation: {face: end, along: axis}}", "dynamics.duration=40 s",
+                          "dynamics.rows=2001", "dynamics.step=0.02 s", "solver.step_limit=10000"});
+                double in_phase = 0, out_of_phase = 0, norm = 0;
+                for (const model::Step& step : run.steps) {
+                    if (step.motion->time_s < 38 + 1e-9) continue;  // the last cycle
+                    const double strain = step.outputs.at(0) / 20e-3, phase = omega * step.motion->time_s;
+                    in_phase += strain * std::sin(phase);
+                    out_of_phase -= strain * std::cos(phase);
+                    norm += std::sin(phase) * std::sin(phase);
+                }
+                const std::complex<double> compliance(in_phase / norm / stress_Pa, -out_of_phase / norm / stress_Pa);
+                const std::complex<double> found = 1.0 / compliance;
+                std::complex<double> modulus = 1;
+                const auto& inelastic = *run.model.materials.front().inelastic;
+                for (std::size_t i = 0; i < inelastic.moduli.size(); ++i) {
+                    const std::complex<double> z(0, omega * inelastic.times_s[i]);
+                    modulus += inelastic.moduli[i] * z / (1.0 + z);
+                }
+                modulus *= 3 * run.model.materials.front().constants.at("mu").front();
+                const auto row = [&](const char* quantity, double reference_Pa, double ours_Pa) {
+                    return Row{.quantity = quantity,
+                               .reference = 1e-3 * reference_Pa,
+                               .source = "closed form, small strains",
+                               .ours = 1e-3 * ours_Pa,
+                               .mesh = run.mesh,
+                               .seconds = run.seconds};
+                };
+                return Outcome{{row("storage modulus at 0.5 Hz [kPa]", modulus.real(), found.real()),
+                                row("loss modulus at 0.5 Hz [kPa]", modulus.imag(), found.imag())},
+                               {}};
+            }};
+}
+
 /// Steps of equal length: the error of the strain of a creeping bar falls with the square of the step.
 Problem order_in_time() {
     return {
@@ -168,6 +211,7 @@ std::vector<Problem> inelastic_problems() {
     problems.push_back(sphere_of("viscoelastic", viscous));
     problems.push_back(sphere_of("softening", soft));
     problems.push_back(sphere_of("both effects", std::string(viscous) + soft));
+    problems.push_back(shaken_bar());
     problems.push_back(order_in_time());
     return problems;
 }
