@@ -157,7 +157,7 @@ std::optional<PostprocessOptions> parse_postprocess_options(int argc, char** arg
         ->type_name("QUANTITY[,QUANTITY...]");
     app.add_option("--cycle", options.cycle,
                    "Only this cycle of a programme with path.repeat, from the state in which it starts")
-        ->check(CLI::PositiveNumber)
+        ->check(CLI::Range(1, 1000))
         ->type_name("N");
     app.add_flag(
         "--sensitivity", options.sensitivity,

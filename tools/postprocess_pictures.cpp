@@ -170,7 +170,7 @@ public:
                                   std::span<const std::string> words, std::vector<Vector3> shifts) const {
         const model::Case& model = shown_.result.model;
         const post::NodalState state{values.displacement_m, values.pressure_Pa, shifts,
-                                     history_.at(row, values.displacement_m, time_s)};
+                                     history_.at_if_known(row, values.displacement_m, time_s)};
         const auto nodal = post::nodal_values(style_.quantity, model, region_points_, state,
                                               post::step_fields(model, region_points_, state));
         return {view::base_positions(skin_, model, region_points_, values.displacement_m),

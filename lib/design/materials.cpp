@@ -129,7 +129,7 @@ void add_inelastic_keys(Schema& schema, const MaterialSection& written) {
         add(value_key("viscoelastic.moduli", Kind::ratio, at_least(0),
                       "stiffness of each Maxwell element, relative to the long-term stiffness"),
             max_branches);
-        add(value_key("viscoelastic.times", Kind::time, above(0), "relaxation time of each Maxwell element"),
+        add(value_key("viscoelastic.times", Kind::time, {1e-9, 1e12}, "relaxation time of each Maxwell element"),
             max_branches);
     }
     if (find(written.material, softening) == nullptr) return;

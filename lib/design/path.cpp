@@ -178,6 +178,9 @@ void check_times(const PathParts& parts, const model::PathSettings& path, const 
         if (!timed(path.stages[i]))
             throw values.refuse(parts.stages[i].path + ".time", "other stages have a time, this one has none",
                                 "give every stage a time, or none");
+    if (path.modulus == model::Modulus::instantaneous)
+        throw values.refuse("path.modulus", "it describes paths without times, and these stages have a time",
+                            "leave it out, or the times");
     if (path.branch == model::Branch::follow)
         throw values.refuse("path.branch", "a path in time has no branches", "use stay, or stages without times");
     if (path.frequencies > 0)

@@ -38,8 +38,11 @@ InternalVariables::InternalVariables(const Discretization& fe) : fe_(fe), index_
         if (inelastic == nullptr) continue;
         is_empty_ = false;
         soften_ = soften_ || inelastic->softening.has_value();
-        for (const double tau : inelastic->times_s)
-            if (clock_ == Clock::runs && (shortest_time_s_ == 0 || tau < shortest_time_s_)) shortest_time_s_ = tau;
+        for (std::size_t i = 0; i < inelastic->times_s.size(); ++i) {
+            const double tau = inelastic->times_s[i];
+            if (clock_ == Clock::runs && inelastic->moduli[i] > 0 && (shortest_time_s_ == 0 || tau < shortest_time_s_))
+                shortest_time_s_ = tau;
+        }
     }
     set_time(0.0);
 }
@@ -48,10 +51,10 @@ void InternalVariables::set_time(double time_s) {
     time_s_ = time_s;
     step_s_ = time_s - start_s_;
     if (step_s_ < -backwards * shortest_time_s_) step_s_ = 0;
-    const double dt = clock_ == Clock::runs                 ? step_s_
-                      : clock_ == Clock::is_infinitely_slow ? std::numeric_limits<double>::infinity()
-                                                            : 0.0;
-    for (Group& group : groups_) group.step = material::step_coefficients(*group.inelastic, dt);
+    const double dt = clock_ == Clock::runs ? step_s_ : std::numeric_limits<double>::infinity();
+    for (Group& group : groups_)
+        group.step = clock_ == Clock::is_infinitely_fast ? material::instantaneous_coefficients(*group.inelastic)
+                                                         : material::step_coefficients(*group.inelastic, dt);
 }
 
 const InternalVariables::Group* InternalVariables::find(const CellGroup& group) const {

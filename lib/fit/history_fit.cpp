@@ -120,14 +120,17 @@ struct Residual {
     const std::vector<double>& weights;  // by row
 
     bool operator()(double const* const* parameters, double* residuals) const {
+        // Constants without a law have a residual that no search accepts; a failure would be logged.
+        constexpr double unacceptable = 1e6;
         const auto rubber = unknowns.rubber(parameters[0]);
-        if (!rubber) return false;
+        std::fill_n(residuals, weights.size(), unacceptable);
+        if (!rubber) return true;
         std::size_t row = 0;
         for (const TestCurve& test : tests) {
             const auto predicted = stress_of_test(*rubber, test);
             for (std::size_t i = 0; i < predicted.size(); ++i, ++row) {
                 residuals[row] = weights[row] * (predicted[i] - test.nominal_Pa[i]);
-                if (!std::isfinite(residuals[row])) return false;
+                if (!std::isfinite(residuals[row])) residuals[row] = unacceptable;
             }
         }
         return true;
@@ -206,12 +209,12 @@ Unknowns start_of(const Fit& elastic, const std::vector<TestCurve>& tests, const
     for (const Constant& constant : elastic.list)
         if (constant.is_stress) size = std::max(size, std::abs(constant.value));
     constexpr double small = 1e-2, far = 1e3;
-    const bool keeps_signs = elastic.candidate.stable_by == StableBy::signs && stability != Stability::reported;
+    const bool keeps_signs = stability != Stability::reported;
     for (const Constant& constant : elastic.list) {
         const bool is_term =
             elastic.candidate.law == "ogden" || !constant.is_stress;  // its sign belongs to the exponent
-        const bool is_unstable = keeps_signs && !is_term && constant.value < small * size;
-        unknowns.scale.push_back(is_unstable ? small * size : constant.value);
+        const bool starts_small = !is_term && (keeps_signs ? constant.value : std::abs(constant.value)) < small * size;
+        unknowns.scale.push_back(starts_small ? small * size : constant.value);
         unknowns.add(1.0, keeps_signs || is_term ? 0.0 : -far, far);
     }
     const Times times = times_of(tests);
@@ -371,7 +374,7 @@ Fit fit_history(const Candidate& candidate, const std::vector<TestCurve>& tests,
     Fit fit;
     fit.candidate = candidate;
     fit.max_I1 = max_invariant(tests);
-    if (!std::isfinite(best->cost))
+    if (!best->unknowns.rubber(best->unknowns.value.data()))
         throw Error(ExitCode::bad_input, tests.front().source, "no constants of the law give a finite stress",
                     "choose another --law");
     add_covariance(*best, fit);

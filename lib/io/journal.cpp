@@ -70,9 +70,9 @@ auto members(Is<model::StageStart> auto& start) {
 }
 auto members(Is<model::Checkpoint> auto& checkpoint) {
     auto& [ranks, rows, stage, stage_row, start, control, controlled, user_failed, on_branch, pending, pivots, before,
-           last, step, first_step, dissipated, friction, internal, work, slope, visited, so_far] = checkpoint;
+           last, step, first_step, size, dissipated, friction, internal, work, slope, visited, so_far] = checkpoint;
     return std::tie(ranks, rows, stage, stage_row, start, control, controlled, user_failed, on_branch, pending, pivots,
-                    before, last, step, first_step, dissipated, friction, internal, work, slope, visited, so_far);
+                    before, last, step, first_step, size, dissipated, friction, internal, work, slope, visited, so_far);
 }
 auto members(Is<JournalStep> auto& record) {
     auto& [step, displacement, pressure] = record;

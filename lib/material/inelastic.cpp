@@ -50,10 +50,18 @@ StepCoefficients step_coefficients(const Inelastic& inelastic, double dt_s) {
         const double g = inelastic.moduli[i], tau = inelastic.times_s[i], z = dt_s / tau;
         step.decay.push_back(std::exp(-z));
         step.share.push_back(g * mean_decay(z));
+        step.half_decay.push_back(std::exp(-0.5 * z));
+        step.half_share.push_back(g * mean_decay(0.5 * z));
         step.error.push_back(std::isinf(z) ? 0.0 : g * tau * tau * error_of_step(z));
         step.factor += step.share.back();
     }
     step.factor *= inelastic.scale();
+    return step;
+}
+
+StepCoefficients instantaneous_coefficients(const Inelastic& inelastic) {
+    StepCoefficients step = step_coefficients(inelastic, 0.0);
+    step.is_elastic = true;
     return step;
 }
 

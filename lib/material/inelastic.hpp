@@ -49,11 +49,15 @@ struct Inelastic {
 /// The coefficients of a step for one material.
 struct StepCoefficients {
     double factor = 1;
-    std::vector<double> decay, share;  ///< e_i and g_i h_i
-    std::vector<double> error;         ///< of the sum of Q_i per S'', steps of equal length
+    std::vector<double> decay, share;            ///< e_i and g_i h_i
+    std::vector<double> half_decay, half_share;  ///< the same of half the step
+    bool is_elastic = false;    ///< every step is infinitely fast: Q_i is elastic stress, and does not dissipate
+    std::vector<double> error;  ///< of the sum of Q_i per S'', steps of equal length
 };
 /// `dt_s` may be infinite: the long-term response.
 [[nodiscard]] StepCoefficients step_coefficients(const Inelastic& inelastic, double dt_s);
+/// Of a path that is infinitely fast throughout.
+[[nodiscard]] StepCoefficients instantaneous_coefficients(const Inelastic& inelastic);
 
 /// The energy of a step from that of the law, W, without H : E.
 struct EnergyOfStep {

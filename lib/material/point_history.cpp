@@ -41,12 +41,13 @@ PointStep advance(const AnyRubber& rubber, const StepCoefficients& step, const S
     const Inelastic& inelastic = *inelastic_of(rubber);
     const Softening* softening = inelastic.softening ? &*inelastic.softening : nullptr;
     const double scale = inelastic.scale(), before = history[energy_at];
+    const double of_energy = step.is_elastic ? step.factor : scale;
     const double W = std::visit([&](const auto& r) { return isochoric_energy(r, F); }, rubber);
     const double W_max = std::max(W, before);
     PointStep result;
-    result.stored_change_J_m3 = scale * (softening != nullptr ? softening->at(W, W_max).energy : W) - W;
+    result.stored_change_J_m3 = of_energy * (softening != nullptr ? softening->at(W, W_max).energy : W) - W;
     if (softening != nullptr)
-        result.dissipated_J_m3 = scale * (softening->dissipated(W_max) - softening->dissipated(before));
+        result.dissipated_J_m3 = of_energy * (softening->dissipated(W_max) - softening->dissipated(before));
     if (!next.empty()) next[energy_at] = W_max;
     const Tensor P = std::visit(
         [&](const auto& r) {
@@ -58,7 +59,7 @@ PointStep advance(const AnyRubber& rubber, const StepCoefficients& step, const S
     const std::size_t branches = inelastic.moduli.size();
     if (branches == 0) return result;
     const SymmetricTensor E = green_strain(F);
-    SymmetricTensor change{}, error{}, overstress{};
+    SymmetricTensor change{}, error{}, overstress{}, middle{};
     const double mean_step_s = 0.5 * (times.step_s + times.last_s);
     for (std::size_t c = 0; c < components; ++c) {
         const double change_of_S = S[c] - history[stress_at + c];
@@ -69,6 +70,7 @@ PointStep advance(const AnyRubber& rubber, const StepCoefficients& step, const S
             const std::size_t at = overstress_at + components * i + c;
             const double Q = step.decay[i] * history[at] + step.share[i] * change_of_S;
             overstress[c] += Q;
+            middle[c] += step.half_decay[i] * history[at] + 0.5 * step.half_share[i] * change_of_S;
             error[c] += step.error[i] * curvature;
             if (!next.empty()) next[at] = Q;
         }
@@ -78,8 +80,10 @@ PointStep advance(const AnyRubber& rubber, const StepCoefficients& step, const S
         next[strain_at + c] = E[c];
         next[rate_at + c] = rate;
     }
-    const double work = contract(sum_of_branches(history, branches), change) + contract(overstress, change);
-    result.dissipated_J_m3 += 0.5 * work;
+    if (!step.is_elastic)  // Simpson's rule: within a step Q_i is not linear
+        result.dissipated_J_m3 += (contract(sum_of_branches(history, branches), change) +
+                                   4.0 * contract(middle, change) + contract(overstress, change)) /
+                                  6.0;
     result.error2 = contract(error, error);
     result.stress2 = contract(result.stress, result.stress);
     return result;

@@ -47,6 +47,7 @@ struct Checkpoint {
     std::optional<StatePoint> before;
     StatePoint last;
     double step = 0, first_step = 0;  ///< of q
+    double size = 0;                  ///< largest norm of the unknowns at a row
     double dissipated_J = 0;          ///< set free by snaps, for the modelled part of the actuator
     std::vector<double> friction;     ///< fem::Contact::friction_start() at `last`
     std::vector<double> internal;     ///< fem::InternalVariables::gather() at `last`

@@ -157,7 +157,8 @@ void add_motion_energies(std::vector<Entry>& entries) {
     add("kinetic_energy", &Motion::kinetic_energy_J, "kinetic energy of the whole actuator, dynamic cases only");
     add("stored_energy", &Motion::stored_energy_J, "strain energy stored in the whole actuator");
     add("load_work", &Motion::load_work_J, "work done by the loads since the start of the path");
-    add("damping_work", &Motion::damping_work_J, "energy dissipated by damping, dynamic cases only");
+    add("damping_work", &Motion::damping_work_J,
+        "energy dissipated by damping and by inelastic rubber, dynamic cases only");
 }
 
 void add_local_values(std::vector<Entry>& entries) {

@@ -55,6 +55,10 @@ Quantity quantity_from_name(std::string_view name) {
     throw Error(ExitCode::usage, "--field", core::quoted(name) + " is not a field", core::did_you_mean(name, known));
 }
 
+bool needs_stress(Quantity quantity) {
+    return quantity == Quantity::von_mises || quantity == Quantity::pressure || quantity == Quantity::energy;
+}
+
 bool is_available(Quantity quantity, const model::Case& model) {
     if (quantity == Quantity::contact_pressure) return has_contact(model);
     return quantity != Quantity::energy || has_energy(model);
@@ -67,6 +71,11 @@ std::vector<double> nodal_values(Quantity quantity, const model::Case& model, co
                     quantity == Quantity::energy ? "a material law of this case has no energy function"
                                                  : "this case has no obstacles, and path.contact is not solve",
                     "choose another field");
+    if (!fields.stress_is_known && needs_stress(quantity))
+        throw Error(
+            ExitCode::bad_input, "--field",
+            "the stress of inelastic rubber depends on all rows before, which are not stored (in a motion never)",
+            "use stretch or displacement, or solve a static path with --fields all");
     std::vector<double> values(region_points.size());
     if (quantity == Quantity::contact_pressure) {
         const auto pressures_Pa = contact_pressures_Pa(model, state);

@@ -26,6 +26,8 @@ struct QuantityInfo {
 /// Throws Error(usage, location "--field") for an unknown name.
 [[nodiscard]] Quantity quantity_from_name(std::string_view name);
 
+/// Whether it is a stress, or the energy.
+[[nodiscard]] bool needs_stress(Quantity quantity);
 /// Whether the case has the quantity: energy requires that all laws have an energy function, contact pressure that something can touch.
 [[nodiscard]] bool is_available(Quantity quantity, const model::Case& model);
 

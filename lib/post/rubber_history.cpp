@@ -9,8 +9,12 @@
 namespace soft::post {
 
 RubberHistory::RubberHistory(const model::Case& model, std::span<const model::Step> rows, std::vector<int> inside_steps,
-                             Displacements displacements)
-    : model_(model), rows_(rows), inside_steps_(std::move(inside_steps)), displacements_(std::move(displacements)) {
+                             Displacements displacements, bool has_all_rows)
+    : model_(model),
+      rows_(rows),
+      inside_steps_(std::move(inside_steps)),
+      displacements_(std::move(displacements)),
+      has_all_rows_(has_all_rows) {
     if (!model::is_inelastic(model)) return;
     for (const std::string& region : model.mesh.region_names)
         regions_.push_back(
@@ -36,11 +40,13 @@ double RubberHistory::time_of(std::int64_t row) const {
 }
 
 void RubberHistory::set_step(double time_s) {
-    const bool slow = model_.path.modulus == model::Modulus::long_term;
+    const bool is_timed = model::is_timed(model_), is_slow = model_.path.modulus == model::Modulus::long_term;
     step_s_ = time_s - start_s_;
-    const double dt = model::is_timed(model_) ? step_s_ : slow ? std::numeric_limits<double>::infinity() : 0.0;
+    const double dt = is_timed ? step_s_ : std::numeric_limits<double>::infinity();
     for (Region& region : regions_)
-        if (region.inelastic != nullptr) region.step = material::step_coefficients(*region.inelastic, dt);
+        if (region.inelastic != nullptr)
+            region.step = is_timed || is_slow ? material::step_coefficients(*region.inelastic, dt)
+                                              : material::instantaneous_coefficients(*region.inelastic);
 }
 
 std::vector<material::PointStep> RubberHistory::advance(std::span<const double> displacement_m, bool accept) {
@@ -76,6 +82,11 @@ std::vector<material::PointStep> RubberHistory::advance(std::span<const double> 
         }
     }
     return steps;
+}
+
+std::vector<material::PointStep> RubberHistory::at_if_known(std::int64_t row, std::span<const double> displacement_m,
+                                                            double time_s) {
+    return is_known() ? at(row, displacement_m, time_s) : std::vector<material::PointStep>{};
 }
 
 std::vector<material::PointStep> RubberHistory::at(std::int64_t row, std::span<const double> displacement_m,

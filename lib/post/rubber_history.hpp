@@ -18,9 +18,12 @@ public:
     /// Displacements [point x 3] of a row; nullopt if the file does not have them.
     using Displacements = std::function<std::optional<std::vector<double>>(std::int64_t row)>;
 
-    /// `inside_steps`: rows that are not ends of steps, ascending.
+    /// `inside_steps`: rows that are not ends of steps, ascending. `has_all_rows`: no row is without displacements.
     RubberHistory(const model::Case& model, std::span<const model::Step> rows, std::vector<int> inside_steps,
-                  Displacements displacements);
+                  Displacements displacements, bool has_all_rows);
+
+    /// Elastic rubber, or a static path all of whose rows have fields.
+    [[nodiscard]] bool is_known() const { return regions_.empty() || (has_all_rows_ && !model_.dynamics); }
 
     /// By quadrature point, cell by cell, for a state at or before `row` and after the row before it; empty for elastic rubber. Throws
     /// Error (bad_input) where a row before has no fields, and for a motion, whose rows are not its steps.
@@ -29,6 +32,9 @@ public:
     [[nodiscard]] std::vector<material::PointStep> at(std::int64_t row, std::span<const double> displacement_m) {
         return at(row, displacement_m, time_of(row));
     }
+    /// Empty where it is not known.
+    [[nodiscard]] std::vector<material::PointStep> at_if_known(std::int64_t row, std::span<const double> displacement_m,
+                                                               double time_s);
     [[nodiscard]] double time_of(std::int64_t row) const;  ///< 0 on a path without times
 
 private:
@@ -45,6 +51,7 @@ private:
     std::span<const model::Step> rows_;
     std::vector<int> inside_steps_;
     Displacements displacements_;
+    bool has_all_rows_;
     std::vector<Region> regions_;
     std::map<mesh::CellType, fem::ReferenceCell> references_;
     std::map<mesh::CellType, fem::CellPoints> work_;

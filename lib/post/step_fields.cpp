@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <concepts>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <variant>
 
@@ -191,8 +190,6 @@ void check(const model::Case& model, const NodalState& state) {
     if (state.displacement_m.size() != 3 * points)
         throw Error(ExitCode::bad_input, "/fields/displacement",
                     std::to_string(state.displacement_m.size()) + " values for " + std::to_string(points) + " points");
-    if (model::is_inelastic(model) && state.inelastic.empty())
-        throw std::logic_error("step_fields: inelastic rubber without its history");
     const bool mixed = model.formulation == model::Formulation::mixed;
     if (state.pressure_Pa.size() != (mixed ? points : 0))
         throw Error(
@@ -204,7 +201,9 @@ void check(const model::Case& model, const NodalState& state) {
 
 StepFields step_fields(const model::Case& model, const RegionPoints& region_points, const NodalState& state) {
     check(model, state);
-    return Evaluator(model, region_points, state).run();
+    StepFields fields = Evaluator(model, region_points, state).run();
+    fields.stress_is_known = !model::is_inelastic(model) || !state.inelastic.empty();
+    return fields;
 }
 
 bool has_energy(const model::Case& model) {

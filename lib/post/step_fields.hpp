@@ -29,7 +29,7 @@ struct NodalState {
     std::span<const double> displacement_m;  ///< [point, 3]
     std::span<const double> pressure_Pa;     ///< [point], the pressure unknown; empty if the formulation has none
     std::vector<Vector3> shifts = {};        ///< displacement of each obstacle (post/contact_pressure.hpp)
-    std::vector<material::PointStep> inelastic = {};  ///< RubberHistory::at the state; empty for elastic rubber
+    std::vector<material::PointStep> inelastic = {};  ///< RubberHistory::at_if_known
 };
 
 struct StepFields {
@@ -38,6 +38,8 @@ struct StepFields {
     std::vector<std::size_t> first_point;  ///< cell c has points first_point[c] .. first_point[c + 1]
     std::vector<LocalState> cells;         ///< one per cell
     std::vector<LocalState> nodes;         ///< one per region point
+    bool stress_is_known =
+        true;  ///< false for inelastic rubber without its history: stress and energy are those of the law
 };
 
 /// `model` is the solved case, `region_points` = make_region_points(model.mesh). Throws Error(bad_input) for a state that does not

@@ -13,8 +13,8 @@ namespace soft::solver {
 
 namespace {
 
-/// Step of differences in time, of the shortest relaxation time.
-constexpr double time_difference = 1e-5;
+/// Step of differences in time, of the shortest relaxation time or the step; and of the time itself, which has 16 digits.
+constexpr double time_difference = 1e-5, time_digits = 1e-10;
 
 model::SolverSettings with_choice(const fem::System& system, model::SolverSettings settings) {
     settings.linear = fem::choose_linear(settings.linear, system.input(), system.dofs().total);
@@ -82,10 +82,12 @@ fem::Evaluation BorderedSystem::evaluate_at(const State& state, Assemble what) {
 
 /// A one-sided difference in time at fixed unknowns, which the state at the start of a step allows too.
 void BorderedSystem::add_time_force(const State& state) {
-    const double duration_s = loads_->rate().time_s, delta_s = time_difference * system.internal().shortest_time_s();
-    if (duration_s == 0.0 || delta_s == 0.0 || has_time_force_) return;
+    const double duration_s = loads_->rate().time_s, shortest_s = system.internal().shortest_time_s();
+    if (duration_s == 0.0 || shortest_s == 0.0 || has_time_force_) return;
     has_time_force_ = true;
     const auto levels = loads_->levels(state.load_factor, state.pressures_Pa);
+    const double step_s = levels.time_s - system.internal().start_time_s();
+    const double delta_s = std::max(time_difference * std::max(shortest_s, step_s), time_digits * levels.time_s);
     auto later = levels;
     later.time_s += delta_s;
     static_cast<void>(system.evaluate(state.x, later, R, nullptr));

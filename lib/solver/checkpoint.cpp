@@ -90,6 +90,7 @@ void Recorder::keep_checkpoint(const PathState& path) const {
     checkpoint.step = path.step;
     checkpoint.first_step = path.first_step;
     checkpoint.dissipated_J = path.dissipated_J;
+    checkpoint.size = path.size;
     checkpoint.friction = corrector_.system().contact().friction_start();
     checkpoint.internal = corrector_.system().internal().gather();
     checkpoint.work_before_stage_J = path.work_before_J;
@@ -117,6 +118,7 @@ void restore(const model::Checkpoint& from, Corrector& corrector, PathState& pat
     path.step = from.step;
     path.first_step = from.first_step;
     path.dissipated_J = from.dissipated_J;
+    path.size = from.size;
     system.prescribe(path.last->levels);
     if (!system.contact().start_friction(path.last->state.x, from.friction))
         refuse_checkpoint("its friction does not fit the case");

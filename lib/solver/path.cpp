@@ -163,6 +163,7 @@ void PathFollower::commit(PathPoint point) {
 
 void PathFollower::go_from(PathPoint point) {
     path_.last = std::move(point);
+    path_.size = std::max(path_.size, linalg::norm(path_.last->state.x));
     system_.prescribe(path_.last->levels);
     let_contact_rest(system_, *path_.last, *path_.last);
     system_.accept_step(path_.last->state.x);
@@ -262,8 +263,19 @@ void PathFollower::recover() {
     }
     if (auto point = may_be_kink ? pass_kink(corrector_, path_, failed) : std::nullopt;
         point && !breaks_energy_balance(corrector_, path_, *point)) {
-        report_row("passed a kink to " + describe(*point));
-        return go_on_from(std::move(*point));
+        const Goal* goal = nullptr;
+        if (const auto passed = first_between(path_.goals, *path_.last, *point)) {
+            const double share = (passed->q - path_.last->q) / (point->q - path_.last->q);
+            goal = passed->goal;
+            point = corrector_.solve_at(frame_of(path_), goal->constraint, goal->target,
+                                        between(path_.last->state, point->state, share));
+        }
+        if (point) {
+            report_row("passed a kink to " + describe(*point));
+            go_on_from(std::move(*point));
+            if (goal != nullptr) end_stage(goal->text);
+            return;
+        }
     }
     if (const auto change = control_after_failure(system_, path_, too_short)) return change_control(*change);
     if (failures > 1) path_.before.reset();  // the cubic extrapolates badly: return to the tangent

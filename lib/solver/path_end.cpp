@@ -104,7 +104,7 @@ Error start_error(NewtonEnd end, const std::string& problem) {
 
 std::optional<Stop> stop_before_step(const PathState& path, fem::System& system) {
     const model::Case& input = system.input();
-    const int limit = input.solver.step_limit;
+    const int limit = input.solver.step_limit * input.path.cycles;
     if (path.rows > limit)
         return Stop{StopReason::step_limit, core::counted(limit, "step") + (limit == 1 ? " was" : " were") +
                                                 " not enough; increase solver.step_limit"};
@@ -150,7 +150,7 @@ Stop stop_without_step(const PathState& path, fem::System& system, const NewtonR
     if (auto inverted = inverted_stop(path, system)) return std::move(*inverted);
     const bool touches = path.last->touches;
     const std::string problem = "no equilibrium found beyond " + here + (touches ? ", where surfaces touch" : "");
-    if (stage_of(input, path).time_s)
+    if (stage_of(input, path).time_s && path.loads->free_supplies().empty())
         return {StopReason::diverged, problem +
                                           ", as where a prescribed pressure passes its limit; prescribe the volume or "
                                           "the mass of gas in place of the pressure"};

@@ -30,10 +30,13 @@ constexpr double min_kinked_step = 0.1;
 /// The same for fibres where the loads are prescribed, so that the path does not turn back: the curve between rows errs far less
 /// than the predictor beyond them. With 0.1 a segment needs twice the steps for a curve that differs by less than 1e-4.
 constexpr double min_fibre_step = 0.5;
+/// In time the body may hardly move, or return to rest: the error of the state is relative to at least this fraction of its largest size.
+constexpr double min_step_in_time = 0.01;
 /// Bounds of the step-size factor from one step to the next.
 constexpr double max_growth = 2.5, growth_of_linear_steps = 100.0, min_shrink = 0.3, min_retake = 0.1;
-/// Times the estimated error of the viscous stress, so that loads and outputs of stress that nearly cancels hold the accuracy too.
-constexpr double safety_in_time = 2.0;
+/// Times the estimated error of the viscous stress, so that loads and outputs of stress that nearly cancels, and the balance of energies,
+/// hold the accuracy too.
+constexpr double safety_in_time = 4.0;
 /// Times the error allowed in time: a step with a larger one is repeated.
 constexpr double rejected_in_time = 2.0;
 /// Newton iterations beyond which the step does not grow.
@@ -99,12 +102,14 @@ PredictorError error_of(const fem::System& system, const PathState& path, const 
     const model::SolverSettings& settings = system.input().solver;
     const double unknown = equilibrium_margin * settings.residual_tolerance;
     const double error = distance(aim.forecast.x, point.state.x), change = distance(point.state.x, path.last->state.x);
-    const double size = linalg::norm(point.state.x), negligible = negligible_error * settings.step_accuracy;
+    const bool in_time = stage_of(system.input(), path).time_s.has_value();
+    const double own_size = linalg::norm(point.state.x), size = in_time ? std::max(own_size, path.size) : own_size;
+    const double negligible = negligible_error * settings.step_accuracy;
     const bool is_prescribed = path.control.kind == ConstraintKind::load_factor;
     const double min_step = !may_have_kinks(system, point)    ? 0.0
                             : point.touches || !is_prescribed ? min_kinked_step
                                                               : min_fibre_step;
-    const double step = std::max(change, min_step * size);
+    const double step = std::max(change, (in_time ? std::max(min_step, min_step_in_time) : min_step) * size);
     const double load = std::abs(point.leading);
     const double load_error = std::abs(leading_of(system.input(), *path.loads, aim.forecast) - point.leading);
     const double load_step = std::max(std::abs(point.leading - path.last->leading), flat_load * load);

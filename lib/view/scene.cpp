@@ -58,10 +58,12 @@ struct Motion {
     std::vector<std::vector<Vector3>> shifts_m;  ///< [frame][obstacle]
 };
 
-std::vector<const post::QuantityInfo*> available(const model::Case& model) {
+std::vector<const post::QuantityInfo*> available(const io::Result& result) {
+    const bool knows_stress = rubber_history(result).is_known();
     std::vector<const post::QuantityInfo*> list;
     for (const post::QuantityInfo& info : post::quantities())
-        if (post::is_available(info.quantity, model)) list.push_back(&info);
+        if (post::is_available(info.quantity, result.model) && (knows_stress || !post::needs_stress(info.quantity)))
+            list.push_back(&info);
     return list;
 }
 
@@ -92,7 +94,7 @@ Motion follow(const io::Result& result, const view::Skin& skin, const post::Regi
               std::size_t byte_budget) {
     Motion motion;
     post::RubberHistory history = rubber_history(result);
-    for (const post::QuantityInfo* info : available(result.model)) motion.fields.push_back({info, {}});
+    for (const post::QuantityInfo* info : available(result)) motion.fields.push_back({info, {}});
     const std::size_t max_steps = std::max<std::size_t>(2, byte_budget / frame_bytes(skin, motion.fields.size()));
     motion.steps = choose_steps(result.fields.steps(), max_steps);
     motion.undeformed_m = view::base_positions(skin, result.model, region_points, {});
@@ -100,7 +102,7 @@ Motion follow(const io::Result& result, const view::Skin& skin, const post::Regi
         const io::FieldReader::Values values = result.fields.read(step).value();
         const post::NodalState state{values.displacement_m, values.pressure_Pa,
                                      post::obstacle_shifts(result.model, result.steps, static_cast<std::size_t>(step)),
-                                     history.at(step, values.displacement_m)};
+                                     history.at_if_known(step, values.displacement_m, history.time_of(step))};
         motion.shifts_m.push_back(state.shifts);
         const post::StepFields local = post::step_fields(result.model, region_points, state);
         const auto bases = view::base_positions(skin, result.model, region_points, values.displacement_m);
@@ -261,7 +263,8 @@ post::RubberHistory rubber_history(const io::Result& result) {
             [&result](std::int64_t row) -> std::optional<std::vector<double>> {
                 auto values = result.fields.read(row);
                 return values ? std::optional(std::move(values->displacement_m)) : std::nullopt;
-            }};
+            },
+            result.fields.steps().size() == result.steps.size()};
 }
 
 Scene make_scene(const io::Result& result, const post::Curve& curve, std::size_t byte_budget) {
@@ -269,7 +272,7 @@ Scene make_scene(const io::Result& result, const post::Curve& curve, std::size_t
     if (stored.empty()) return {};
     const post::RegionPoints region_points = post::make_region_points(result.model.mesh);
     const view::Skin skin =
-        make_skin(result.model, region_points, available(result.model).size(), byte_budget / stored.size());
+        make_skin(result.model, region_points, available(result).size(), byte_budget / stored.size());
     const Motion motion = follow(result, skin, region_points, byte_budget);
 
     nlohmann::ordered_json json = {{"bases", skin.base_count()}, {"palette", palette_bytes()}};

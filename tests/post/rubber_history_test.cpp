@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "material/response.hpp"
 #include "model/rubber.hpp"
+#include "post/quantity.hpp"
 #include "post/step_fields.hpp"
 
 namespace soft::post {
@@ -34,10 +35,12 @@ struct Block {
         return u;
     }
     [[nodiscard]] RubberHistory history(std::vector<int> inside_steps = {}, int missing = -1) const {
-        return {model, steps, std::move(inside_steps), [this, missing](std::int64_t row) {
+        return {model, steps, std::move(inside_steps),
+                [this, missing](std::int64_t row) {
                     return row == missing ? std::nullopt
                                           : std::optional(displacement(stretches[static_cast<std::size_t>(row)]));
-                }};
+                },
+                missing < 0};
     }
 };
 
@@ -87,11 +90,17 @@ TEST(RubberHistory, FieldsShowTheStressOfTheHistory) {
     const auto fields = step_fields(block.model, regions, {u, no_pressure, {}, history.at(3, u)});
     const double l = stretches[3], S = expected(block.model, {1, 2, 3}).stress[0];
     EXPECT_NEAR(fields.cells[0].cauchy_Pa[0], l * l * S, 1e-6 * std::abs(S));  // sigma = F S F^T at J = 1
-    EXPECT_THROW(static_cast<void>(step_fields(block.model, regions, {u, no_pressure})), std::logic_error);
+    EXPECT_TRUE(fields.stress_is_known);
+    const auto without = step_fields(block.model, regions, {u, no_pressure});
+    EXPECT_FALSE(without.stress_is_known);
+    const NodalState state{u, no_pressure};
+    EXPECT_THROW(static_cast<void>(nodal_values(Quantity::von_mises, block.model, regions, state, without)), Error);
+    EXPECT_FALSE(nodal_values(Quantity::stretch, block.model, regions, state, without).empty());
 }
 
 TEST(RubberHistory, AMissingRowIsNamed) {
     const Block block;
+    EXPECT_TRUE(block.history({}, 2).at_if_known(4, block.displacement(stretches[4]), 4).empty());
     try {
         static_cast<void>(block.history({}, 2).at(4, block.displacement(stretches[4])));
         FAIL();
