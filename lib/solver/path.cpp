@@ -264,11 +264,11 @@ void PathFollower::recover() {
     if (auto point = may_be_kink ? pass_kink(corrector_, path_, failed) : std::nullopt;
         point && !breaks_energy_balance(corrector_, path_, *point)) {
         const Goal* goal = nullptr;
-        if (const auto passed = first_between(path_.goals, *path_.last, *point)) {
-            const double share = (passed->q - path_.last->q) / (point->q - path_.last->q);
-            goal = passed->goal;
+        if (const auto crossing = first_between(path_.goals, *path_.last, *point)) {
+            const double way = (crossing->q - path_.last->q) / (point->q - path_.last->q);
+            goal = crossing->goal;
             point = corrector_.solve_at(frame_of(path_), goal->constraint, goal->target,
-                                        between(path_.last->state, point->state, share));
+                                        between(path_.last->state, point->state, way));
         }
         if (point) {
             report_row("passed a kink to " + describe(*point));
