@@ -35,10 +35,7 @@ claim "two rows" [ "$(postprocess -q atonce.h5 | wc -l)" -eq 3 ]
 only atonce.h5 self_contact
 
 # Designs of all kinds
-if [ -z "$(type -P parallel)" ]; then
-    echo 'skipped: parallel (package parallel) is not installed'
-    exit 0
-fi
+needs parallel parallel
 # Without designs 10 and 13 of this seed, whose ends in contact are not confirmed (tests/campaign/README.md).
 refuses 64 "campaign: unknown option '--sed'; *" "$campaign 3 --sed 4"
 refuses 64 "campaign: 'many' is not a number" "$campaign many"

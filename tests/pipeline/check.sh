@@ -52,6 +52,13 @@ refuses() {   # refuses CODE PATTERN COMMAND: expects this exit code, an empty s
     claim "the one line on stderr is: $2" says "$2"
 }
 
+needs() {   # needs PROGRAM PACKAGE: ends the script where the program is not installed
+    [ -n "$(type -P "$1")" ] && return
+    echo "skipped: $1 (package $2) is not installed"
+    claim "$1 is missing" [ ! -x "$(type -P "$1")" ]
+    exit 0
+}
+
 exits() { [ "$status" -eq "$1" ]; }
 quiet() { [ ! -s "$seen/err" ]; }
 says() { [ "$(wc -l <"$seen/err")" -eq 1 ] && like "$(cat "$seen/err")" "$1"; }

@@ -31,10 +31,7 @@ refuses 73 "postprocess: --paraview ser.pvd: 'ser' exists and is not a folder; c
 runs 'solve --fields none < <(mesh-gen designs/verification/rod-uniaxial.yaml) > bare.h5'
 refuses 65 'postprocess: /fields: the result contains no displacements; run solve with --fields all' 'postprocess bare.h5 --paraview x.pvd'
 
-if [ -z "$(type -P pvpython)" ]; then
-    echo 'skipped: pvpython (package paraview) is not installed'
-    exit 0
-fi
+needs pvpython paraview
 
 value() { awk -v p="$1" -v n="$2" -v c="$3" '$1 == p && $2 == n && $3 == c { print $4, $5 }' read.txt; }
 both_within() {   # both_within point|cell NAME COMPONENT LOW HIGH: minimum and maximum are in the range

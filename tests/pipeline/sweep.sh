@@ -4,11 +4,7 @@
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 sweep=$here/../../scripts/sweep
 folder=results/sweeps
-if [ -z "$(type -P parallel)" ]; then
-    echo 'skipped: parallel (package parallel) is not installed'
-    claim "the engine is missing" [ ! -x "$(type -P parallel)" ]
-    exit 0
-fi
+needs parallel parallel
 
 cell() { awk -F, -v name="$1" -v row="$2" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) c = i; next } NR == row + 1 { print $c }' "$3"; }
 ages() { stat -c '%n %Y %i' "$1"/*/status; }

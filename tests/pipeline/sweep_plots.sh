@@ -2,11 +2,7 @@
 # scripts/sweep --report and --plot: files, repeatability, refusals.   sweep_plots.sh BIN CMAKE     The page in a browser: tests/view
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 sweep=$here/../../scripts/sweep
-if [ -z "$(type -P parallel)" ]; then
-    echo 'skipped: parallel (package parallel) is not installed'
-    claim "the engine is missing" [ ! -x "$(type -P parallel)" ]
-    exit 0
-fi
+needs parallel parallel
 
 cat >rods.yaml <<'YAML'
 design: designs/rod.yaml

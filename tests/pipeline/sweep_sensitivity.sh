@@ -2,11 +2,7 @@
 # Derivative columns of scripts/sweep, against differences between the rows of the same sweep.   sweep_sensitivity.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 sweep=$here/../../scripts/sweep
-if [ -z "$(type -P parallel)" ]; then
-    echo 'skipped: parallel (package parallel) is not installed'
-    claim "the engine is missing" [ ! -x "$(type -P parallel)" ]
-    exit 0
-fi
+needs parallel parallel
 
 # difference COLUMN STEP FILE: central difference of the first and the third row;   middle COLUMN FILE: the value of the second row
 difference() { column "$1" "$3" | awk -v h="$2" 'NR == 1 { a = $1 } NR == 3 { printf "%.12g", ($1 - a) / h }'; }

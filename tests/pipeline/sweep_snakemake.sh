@@ -2,11 +2,7 @@
 # scripts/sweep --engine snakemake: the workflow is valid and gives the same rows as the other engines.   sweep_snakemake.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 sweep=$here/../../scripts/sweep
-if [ -z "$(type -P snakemake)" ]; then
-    echo 'skipped: snakemake (package snakemake) is not installed'
-    claim "the program is missing" [ ! -x "$(type -P snakemake)" ]
-    exit 0
-fi
+needs snakemake snakemake
 export XDG_CACHE_HOME=$PWD/cache
 # mesh-gen rejects one of the two designs, because the face has no support; designs with invalid geometry are not started.
 cat designs/rod.yaml - >pulled.yaml <<'END'

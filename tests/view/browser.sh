@@ -1,15 +1,7 @@
 #!/usr/bin/env bash
 # Opens the reports of a bellows and a tube in a headless Chromium.   browser.sh BIN WORK     WORK: folder for the pinned npm packages
 # Exits with 77 (skipped) if node, npm, a Chromium, gnuplot or the viewer is missing.
-set -u -o pipefail
-bin=$1 work=$2 here=$(dirname "$(realpath "${BASH_SOURCE[0]}")")
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-skip() { echo "skipped: $1"; exit 77; }
-for program in node npm gnuplot; do [ -n "$(type -P $program)" ] || skip "$program is not installed"; done
-CHROMIUM=${CHROMIUM:-$(type -P chromium || type -P chromium-browser || type -P google-chrome)} || skip "no Chromium is installed"
-export CHROMIUM
-mkdir -p "$work" && cp "$here"/browser/* "$work" && cd "$work" || exit 1
-npm ci --ignore-scripts --no-audit --no-fund --prefer-offline --fetch-retries=1 >npm.log 2>&1 || skip "npm could not fetch puppeteer-core"
+. "$(dirname "${BASH_SOURCE[0]}")/browser_setup.sh" "$1" "$2" gnuplot
 
 "$bin/mesh-gen" -q "$here/../../designs/bellows.yaml" --set mesh.size=3mm | "$bin/solve" -q -o bellows.h5 || exit 1
 # a label with HTML must appear as text
