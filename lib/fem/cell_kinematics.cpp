@@ -160,6 +160,7 @@ void find_pressures(const ReferenceCell& cell, const CellInput& in, CellPoints& 
 template <bool Axisymmetric>
 void map_points(const ReferenceCell& cell, const CellInput& in, CellPoints& points) {
     const int n = cell.nodes, dim = cell.dimension, stride = points.law.stride, length = (dim + 1) * stride;
+    points.law.memory = in.memory;
     for (int i = 0; i < dim; ++i) {
         interpolate(n, length, &in.X[i * n], cell.by_node.data(), &points.values[i * length]);
         interpolate(n, length, &in.u[i * n], cell.by_node.data(), &points.values[(dim + i) * length]);

@@ -51,7 +51,7 @@ struct CellOutput {
 
 namespace detail {
 
-/// Computes volume, jacobian, gradient, F, and in mixed form basis and law.p.
+/// Computes volume, jacobian, gradient, F, and in mixed form basis and law.p; passes the memory on to the law.
 template <bool Axisymmetric>
 void map_points(const ReferenceCell& cell, const CellInput& in, CellPoints& points);
 

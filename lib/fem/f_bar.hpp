@@ -65,7 +65,6 @@ void integrate_f_bar(const ReferenceCell& cell, const material::Rubber<L>& rubbe
     if (!(state.min_jacobian > 0.0)) return;
     if (rubber.fibers) find_fiber_axes<Axisymmetric>(cell, rubber.fiber_frame, out.points);
     for (int q = 0; q < cell.points; ++q) out.points.law.set_gradient(q, state.law_gradient(q));
-    out.points.law.memory = in.memory;
     material::evaluate_batch(rubber, cell.form, wanted, out.points.law);
     assemble_f_bar<Axisymmetric>(cell, state, wanted, out);
 }

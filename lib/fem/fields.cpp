@@ -21,7 +21,7 @@ struct PointEnergy {
 /// Calls visit(point, energy, location) for every quadrature point of this rank's cells.
 template <class Visit>
 void for_each_energy(const Discretization& fe, LocalState& state, Visit&& visit) {
-    const auto& steps = state.point_steps();
+    const auto& steps = state.inelastic_step().points;
     std::size_t index = 0;
     for_each_point(fe, state, [&](const PointState& point, const PointLocation& at) {
         const double elastic = std::visit(
@@ -141,14 +141,8 @@ StretchSummary Fields::stretches(Vec x) {
 
 std::optional<double> Fields::error_in_time(Vec x) {
     state_.read(x);
-    std::array<double, 2> sums{};
-    const auto& steps = state_.point_steps();
-    std::size_t index = 0;
-    for_each_point(fe_, state_, [&](const PointState& point, const PointLocation&) {
-        const material::PointStep& step = steps[index++];
-        sums[0] += point.weight_m3 * step.error2;
-        sums[1] += point.weight_m3 * step.stress2;
-    });
+    const InelasticStep& step = state_.inelastic_step();
+    std::array sums{step.error2, step.stress2};
     MPI_Allreduce(MPI_IN_PLACE, sums.data(), 2, MPI_DOUBLE, MPI_SUM, fe_.comm);
     return state_.internal().relative_error(sums[0], sums[1]);
 }

@@ -26,12 +26,8 @@ InternalVariables::InternalVariables(const Discretization& fe) : fe_(fe), index_
         if (inelastic == nullptr) continue;
         const std::size_t size = material::history_size(*inelastic);
         index_[g] = static_cast<int>(groups_.size());
-        groups_.push_back(
-            {&cells,
-             inelastic,
-             size,
-             {},
-             std::vector(cells.cells.size() * static_cast<std::size_t>(cells.reference->points) * size, 0.0)});
+        const std::vector virgin(cells.cells.size() * static_cast<std::size_t>(cells.reference->points) * size, 0.0);
+        groups_.push_back({&cells, inelastic, size, {}, virgin, virgin});
     }
     for (const auto& rubber : fe.rubbers) {  // the same on every rank
         const material::Inelastic* inelastic = material::inelastic_of(rubber);
@@ -84,27 +80,18 @@ std::span<const double> InternalVariables::values_at(const Group& group, const P
     return std::span(group.values).subspan(offset(group, at), group.size);
 }
 
-material::PointStep InternalVariables::step_at(const PointLocation& at, const PointState& point) const {
-    const Group* group = is_empty_ ? nullptr : find(at.group);
-    if (group == nullptr) return {};
-    return material::advance(*at.group.rubber, group->step, {step_s_, last_step_s_}, point.F_law, values_at(*group, at),
-                             {});
-}
-
-void InternalVariables::accept(const PointLocation& at, const PointState& point) {
+material::PointStep InternalVariables::step_at(const PointLocation& at, const PointState& point) {
     const Group* found = find(at.group);
-    if (found == nullptr) return;
+    if (found == nullptr) return {};
     Group& group = groups_[static_cast<std::size_t>(found - groups_.data())];
-    next_.resize(group.size);
-    const material::PointStep step = material::advance(*at.group.rubber, group.step, {step_s_, last_step_s_},
-                                                       point.F_law, values_at(group, at), next_);
-    accepted_J_ += point.weight_m3 * step.dissipated_J_m3;
-    std::ranges::copy(next_, group.values.begin() + static_cast<std::ptrdiff_t>(offset(group, at)));
+    return material::advance(*at.group.rubber, group.step, {step_s_, last_step_s_}, point.F_law, values_at(group, at),
+                             std::span(group.next).subspan(offset(group, at), group.size));
 }
 
-void InternalVariables::end_acceptance() {
-    MPI_Allreduce(MPI_IN_PLACE, &accepted_J_, 1, MPI_DOUBLE, MPI_SUM, fe_.comm);
-    dissipated_J_ += accepted_J_;
+void InternalVariables::accept(double dissipated_J) {
+    MPI_Allreduce(MPI_IN_PLACE, &dissipated_J, 1, MPI_DOUBLE, MPI_SUM, fe_.comm);
+    dissipated_J_ += dissipated_J;
+    for (Group& group : groups_) std::swap(group.values, group.next);
     ++accepted_;
     last_step_s_ = step_s_;
     start_s_ = time_s_;

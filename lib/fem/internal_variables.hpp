@@ -37,12 +37,9 @@ public:
     /// Fills what the step needs at the points of a cell; false for an elastic cell.
     bool read(const CellGroup& group, std::size_t cell, material::StepMemory& memory) const;
     /// The step at a point of a trial state.
-    [[nodiscard]] material::PointStep step_at(const PointLocation& at, const PointState& point) const;
-
-    /// Accepts the trial state: begin, then every point of this rank, then end (collective).
-    void begin_acceptance() { accepted_J_ = 0; }
-    void accept(const PointLocation& at, const PointState& point);
-    void end_acceptance();
+    [[nodiscard]] material::PointStep step_at(const PointLocation& at, const PointState& point);
+    /// Accepts the trial state for which step_at was called last, at every point; `dissipated_J`: by this rank's points. Collective.
+    void accept(double dissipated_J);
 
     /// Number of accepted steps and of restarts.
     [[nodiscard]] std::int64_t accepted_steps() const noexcept { return accepted_; }
@@ -66,7 +63,7 @@ private:
         const material::Inelastic* inelastic;
         std::size_t size;  ///< numbers per point
         material::StepCoefficients step;
-        std::vector<double> values;  ///< [cell][point][size]
+        std::vector<double> values, next;  ///< [cell][point][size]: at the start and at the end of the step
     };
     [[nodiscard]] const Group* find(const CellGroup& group) const;
     [[nodiscard]] std::size_t offset(const Group& group, const PointLocation& at) const;
@@ -79,9 +76,8 @@ private:
     bool is_empty_ = true, soften_ = false;
     double shortest_time_s_ = 0;
     double start_s_ = 0, time_s_ = 0, step_s_ = 0, last_step_s_ = 0;
-    std::vector<double> next_;  // work space
     std::int64_t accepted_ = 0;
-    double dissipated_J_ = 0, accepted_J_ = 0, largest_stress2_ = 0;
+    double dissipated_J_ = 0, largest_stress2_ = 0;
 };
 
 }  // namespace soft::fem

@@ -61,19 +61,21 @@ void LocalState::read(Vec x) {
     SOFT_PETSC(VecScatterEnd(scatter_, x, unknowns_, INSERT_VALUES, SCATTER_FORWARD));
 }
 
-/// A row asks for them several times.
-const std::vector<material::PointStep>& LocalState::point_steps() {
-    if (internal_.is_empty() ||
-        (steps_at_ == values_ && steps_time_s_ == levels_.time_s && steps_accepted_ == internal_.accepted_steps()))
-        return steps_;
-    steps_.clear();
+/// A row asks for it several times.
+const InelasticStep& LocalState::inelastic_step() {
+    const bool is_known = step_values_ == values_ && step_time_s_ == levels_.time_s;
+    if (internal_.is_empty() || (is_known && step_number_ == internal_.accepted_steps())) return step_;
+    step_ = {};
     for_each_point(fe_, *this, [this](const PointState& point, const PointLocation& at) {
-        steps_.push_back(internal_.step_at(at, point));
+        const material::PointStep& step = step_.points.emplace_back(internal_.step_at(at, point));
+        step_.dissipated_J += point.weight_m3 * step.dissipated_J_m3;
+        step_.error2 += point.weight_m3 * step.error2;
+        step_.stress2 += point.weight_m3 * step.stress2;
     });
-    steps_at_ = values_;
-    steps_time_s_ = levels_.time_s;
-    steps_accepted_ = internal_.accepted_steps();
-    return steps_;
+    step_values_ = values_;
+    step_time_s_ = levels_.time_s;
+    step_number_ = internal_.accepted_steps();
+    return step_;
 }
 
 void LocalState::positions(const SurfaceCell& cell, std::vector<double>& x) const {

@@ -13,6 +13,12 @@
 
 namespace soft::fem {
 
+/// The step of the inelastic materials to a state, at this rank's points.
+struct InelasticStep {
+    std::vector<material::PointStep> points;           ///< in the order of for_each_point
+    double dissipated_J = 0, error2 = 0, stress2 = 0;  ///< integrals over the volume
+};
+
 class LocalState {
 public:
     /// Reads the unknowns of this rank's cells and of `nodes`; rank 0 also those of all named faces. The discretization must outlive this
@@ -30,8 +36,8 @@ public:
     /// Current positions of the nodes, component by component.
     void positions(const SurfaceCell& cell, std::vector<double>& x) const;
 
-    /// The steps of all points of this rank to this state, in the order of for_each_point; empty without inelastic materials.
-    [[nodiscard]] const std::vector<material::PointStep>& point_steps();
+    /// To this state; empty without inelastic materials.
+    [[nodiscard]] const InelasticStep& inelastic_step();
 
     [[nodiscard]] InternalVariables& internal() noexcept { return internal_; }
     [[nodiscard]] const InternalVariables& internal() const noexcept { return internal_; }
@@ -44,10 +50,10 @@ private:
     linalg::Vector unknowns_;     // those values as a vector
     linalg::Scatter scatter_;
     InternalVariables internal_;
-    std::vector<material::PointStep> steps_;
-    std::vector<double> steps_at_;  // values_ of the steps
-    double steps_time_s_ = 0;
-    std::int64_t steps_accepted_ = -1;
+    InelasticStep step_;
+    std::vector<double> step_values_;  // values_ where it leads
+    double step_time_s_ = 0;
+    std::int64_t step_number_ = -1;
 };
 
 /// Workspace for one cell, reused from cell to cell.

@@ -31,7 +31,6 @@ void integrate(const ReferenceCell& cell, const material::Rubber<L>& rubber, con
     out.min_jacobian = min_jacobian(cell, out.points);
     if (!(out.min_jacobian > 0.0)) return;  // the caller reports the cell; the energy is undefined for J <= 0
     if (rubber.fibers) find_fiber_axes<Axisymmetric>(cell, rubber.fiber_frame, out.points);
-    out.points.law.memory = in.memory;
     material::evaluate_batch(rubber, cell.form, wanted, out.points.law);
     sum_residual<Axisymmetric>(cell, rubber.inverse_bulk_modulus, out);
     if (wanted == material::Wanted::stress_and_tangent)

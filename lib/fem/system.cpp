@@ -31,10 +31,7 @@ void System::accept_step(Vec x) {
     contact_.start_friction(x);
     if (state_.internal().is_empty()) return;
     state_.read(x);
-    state_.internal().begin_acceptance();
-    for_each_point(fe_, state_,
-                   [this](const PointState& point, const PointLocation& at) { state_.internal().accept(at, point); });
-    state_.internal().end_acceptance();
+    state_.internal().accept(state_.inelastic_step().dissipated_J);
 }
 
 bool System::has_kinks() const {

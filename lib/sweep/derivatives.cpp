@@ -6,6 +6,7 @@
 #include "core/text.hpp"
 #include "post/point_sensitivity.hpp"
 #include "sweep/point.hpp"
+#include "sweep/table.hpp"
 
 namespace soft::sweep {
 namespace {
@@ -51,23 +52,12 @@ std::string derivative_unit(const std::string& unit, const std::string& by) {
     return (unit.empty() ? "1" : unit) + "/" + (by.find('/') == std::string::npos ? by : "(" + by + ")");
 }
 
-/// A unit as part of a column name: "kPa_per_mm".
-std::string name_of_unit(const std::string& unit) {
-    std::string name;
-    for (const char c : unit) {
-        if (c == '/') name += "_per_";
-        if (c == '%') name += "percent";
-        if (std::string_view{"/%^. *()"}.find(c) == std::string_view::npos) name += c;
-    }
-    return name;
-}
-
 Cell empty_cell(const post::Column& column, const model::DesignParameter& parameter, const SourceText& point,
                 const post::Curve& curve) {
     const std::string unit = derivative_unit(column.unit, parameter.unit);
     std::string name = column.quantity + "_by_" + parameter.key;
     std::ranges::replace(name, '.', '_');
-    if (!unit.empty()) name += "_" + name_of_unit(unit);
+    if (!unit.empty()) name += "_" + unit_name(unit);
     return {column_at(name, point.text, curve), std::nullopt, label_at(column.quantity, point.text, parameter.key),
             unit};
 }

@@ -26,18 +26,17 @@ std::string common_unit(const Plan& plan, std::size_t factor) {
     return unit;
 }
 
-/// A unit as part of a column name: "kg_per_m3" for "kg/m^3".
+}  // namespace
+
 std::string unit_name(const std::string& unit) {
     std::string name;
     for (const char c : unit) {
         if (c == '/') name += "_per_";
         if (c == '%') name += "percent";
-        if (std::string_view{"/%^. *"}.find(c) == std::string_view::npos) name += c;
+        if (std::string_view{"/%^. *()"}.find(c) == std::string_view::npos) name += c;
     }
     return name;
 }
-
-}  // namespace
 
 std::vector<std::optional<double>> TableColumn::numbers() const {
     std::vector<std::optional<double>> values;

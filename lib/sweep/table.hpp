@@ -27,6 +27,9 @@ struct TableColumn {
 /// The outputs of all outcomes in order of first appearance; columns that only later designs have come last.
 [[nodiscard]] std::vector<TableColumn> output_columns(std::span<const Outcome> outcomes);
 
+/// A unit as part of a column name: "kg_per_m3" for "kg/m^3".
+[[nodiscard]] std::string unit_name(const std::string& unit);
+
 /// The column with this name or label; nullptr if there is none.
 [[nodiscard]] const TableColumn* find_column(std::span<const TableColumn> columns, const std::string& name);
 
