@@ -80,16 +80,14 @@ struct NeighbourLevels {
     Walls walls;
 };
 
-std::vector<ErrorBar> bars_of(const Measure& measure, const Rows& reported, const NeighbourLevels& around) {
+/// `point` and `tangent` of the curve from a row's step and number.
+template <class Point, class Tangent>
+std::vector<ErrorBar> bars_of(const Rows& reported, const NeighbourLevels& around, Point&& point, Tangent&& tangent) {
     std::vector<LevelRow> rows;
     for (std::size_t i = 0; i < reported.size(); ++i) {
-        rows.push_back({measure.point(reported[i].step),
-                        measure.point(around.finer[i].step),
-                        {},
-                        {},
-                        measure.tangent(reported[i].step)});
-        if (!around.before.empty()) rows.back().before = measure.point(around.before[i].step);
-        if (!around.earlier.empty()) rows.back().earlier = measure.point(around.earlier[i].step);
+        rows.push_back({point(reported[i].step, i), point(around.finer[i].step, i), {}, {}, tangent(reported[i].step)});
+        if (!around.before.empty()) rows.back().before = point(around.before[i].step, i);
+        if (!around.earlier.empty()) rows.back().earlier = point(around.earlier[i].step, i);
     }
     return error_bars(rows, around.walls);
 }
@@ -100,17 +98,10 @@ std::vector<ErrorBar> set_bars_in_time(Rows& reported, const NeighbourLevels& ar
     const std::size_t outputs = reported.front().step.outputs.size();
     for (RowState& row : reported) row.step.output_errors.clear();
     for (std::size_t k = 0; k <= outputs; ++k) {
-        const auto point = [k](const Rows& rows, std::size_t i) {
-            const model::Step& step = rows[i].step;
+        const auto point = [k](const model::Step& step, std::size_t i) {
             return CurvePoint{k == 0 ? step.pressure_Pa : step.outputs[k - 1], static_cast<double>(i)};
         };
-        std::vector<LevelRow> rows;
-        for (std::size_t i = 0; i < reported.size(); ++i) {
-            rows.push_back({point(reported, i), point(around.finer, i), {}, {}, {0.0, 0.0}});
-            if (!around.before.empty()) rows.back().before = point(around.before, i);
-            if (!around.earlier.empty()) rows.back().earlier = point(around.earlier, i);
-        }
-        auto bars = error_bars(rows, around.walls);
+        auto bars = bars_of(reported, around, point, [](const model::Step&) { return CurvePoint{0.0, 0.0}; });
         for (std::size_t i = 0; i < bars.size(); ++i) {
             if (k == 0) reported[i].step.pressure_error_Pa = bars[i].load;
             if (k > 0) reported[i].step.output_errors.push_back(bars[i].load);
@@ -128,7 +119,9 @@ std::vector<ErrorBar> set_bars(Rows& reported, const NeighbourLevels& around) {
     for (RowState& row : reported) row.step.output_errors.clear();
     for (std::size_t k = 0; k < std::max<std::size_t>(outputs, 1); ++k) {
         const Measure measure{outputs > 0 ? k : Measure::volume};
-        const auto bars = bars_of(measure, reported, around);
+        const auto bars = bars_of(
+            reported, around, [&](const model::Step& step, std::size_t) { return measure.point(step); },
+            [&](const model::Step& step) { return measure.tangent(step); });
         for (std::size_t i = 0; i < bars.size(); ++i) {
             if (k == 0) reported[i].step.pressure_error_Pa = bars[i].load;
             if (outputs > 0) reported[i].step.output_errors.push_back(bars[i].measure);
