@@ -274,7 +274,14 @@ Checked check_design(Node root, std::string_view source, const FamilyKeys& famil
 
 Values values_of(std::span<const Item> items) {
     Values values;
-    for (const Item& item : items) values.set(item.key.path, item.entry);
+    for (const Item& item : items) {
+        values.set(item.key.path, item.entry);
+        for (std::size_t i = 0; dimension_of(item.key.kind) && i < item.list.size(); ++i) {
+            const double number = item.entry.numbers[i];
+            values.set(item.key.path + "." + std::to_string(i + 1),
+                       {number, item.list[i], item.entry.location, item.entry.given, {number}});
+        }
+    }
     return values;
 }
 

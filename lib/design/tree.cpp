@@ -255,13 +255,22 @@ void put(Node& root, std::string_view path, Node value) {
     std::string_view rest = path;
     while (true) {
         if (node->kind == Node::Kind::empty) node->kind = Node::Kind::map;
-        if (node->kind != Node::Kind::map) {
-            const auto done = path.substr(0, path.size() - rest.size() - 1);
-            refuse(location, path, core::quoted(done) + " is a single value",
-                   "give all of it: " + std::string{done} + "={...}");
-        }
         const auto dot = rest.find('.');
         const std::string key{rest.substr(0, dot)};
+        const std::string done{path.substr(0, path.size() - std::min(path.size(), rest.size() + 1))};
+        if (node->kind == Node::Kind::list && dot == std::string_view::npos) {
+            const auto index = core::parse_count(key);
+            const auto* number = std::get_if<long>(&index);
+            const auto size = static_cast<long>(node->items.size());
+            if (number == nullptr || *number < 1 || *number > size)
+                refuse(location, path, core::quoted(done) + " is a list of " + core::counted(static_cast<int>(size), "value"),
+                       "write " + done + ".1" + (size > 1 ? " to ." + std::to_string(size) : "") + ", or all of it: " + done +
+                           "=[...]");
+            node->items[static_cast<std::size_t>(*number) - 1] = std::move(value);
+            return;
+        }
+        if (node->kind != Node::Kind::map)
+            refuse(location, path, core::quoted(done) + " is a single value", "give all of it: " + done + "={...}");
         if (find_member(*node, key) == nullptr) {
             node->members.push_back({key, location, {}});
             node->members.back().value.location = location;

@@ -49,8 +49,8 @@ struct DocumentKind {
 /// Throws Error (bad_input) for a key of the map that is not among `known`; `path` is that of the map, empty for the root.
 void require_known_keys(const Node& map, const std::vector<std::string>& known, const std::string& path);
 
-/// Sets the value at `path` and creates missing maps; new keys get the location of the value. Throws Error(bad_input) if an
-/// enclosing node is a single value or a list.
+/// Sets the value at `path` and creates missing maps; new keys get the location of the value. The values of a list have the paths
+/// "material.mu.1", ... Throws Error(bad_input) if an enclosing node is a single value, or for a number that the list does not have.
 void put(Node& root, std::string_view path, Node value);
 
 [[nodiscard]] Node scalar_node(std::string text, std::string_view location);

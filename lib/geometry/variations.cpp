@@ -44,19 +44,9 @@ std::pair<model::Variation::Side, double> side_at(const design::Design& design, 
         const std::string text = core::number_text(number / parameter.SI_per_unit);
         return parameter.unit.empty() ? text : text + " " + parameter.unit;
     };
-    design::Override change{parameter.key, text_of(value), {}};
-    std::size_t index = 0;
-    if (!design.values.has(parameter.key)) {  // an element of a list
-        const std::size_t dot = parameter.key.rfind('.');
-        change.path = parameter.key.substr(0, dot);
-        index = static_cast<std::size_t>(std::stoi(parameter.key.substr(dot + 1))) - 1;
-        std::vector<std::string> elements;
-        for (const double number : design.values.numbers(change.path)) elements.push_back(text_of(number));
-        elements[index] = text_of(value);
-        change.value = "[" + core::join(elements) + "]";
-    }
+    const design::Override change{parameter.key, text_of(value), {}};
     const design::Design varied = design::read_design(design.effective_yaml, source, catalogue_keys(), {&change, 1});
-    const double read = varied.values.numbers(change.path)[index];
+    const double read = varied.values.number(parameter.key);
     if (!changes_mesh(parameter.key)) return {{built.model.mesh.points, built.shape, varied.effective_yaml}, read};
     MeshedShape made = make_shape(varied);
     if (!has_same_cells(made.mesh, built.model.mesh))
@@ -123,9 +113,6 @@ void require_differentiable(const model::Case& model) {
                     "add one, for example outputs: {elongation: {face: moving}}");
     if (model.dynamics)
         throw Error(ExitCode::bad_input, option, "a motion in time has no sensitivities", "omit dynamics.duration");
-    if (model::is_inelastic(model) || model::is_timed(model))
-        throw Error(ExitCode::bad_input, option, "paths in time and inelastic materials have no sensitivities",
-                    "omit material.viscoelastic, material.softening and the times of the stages");
     if (model::has_friction(model))
         throw Error(ExitCode::bad_input, option, "paths with friction have no sensitivities",
                     "set contact.friction and that of the obstacles to 0");

@@ -24,20 +24,27 @@ bool is_measurable(const post::Column& column) {
     return column.source == post::Source::load || column.source == post::Source::output;
 }
 
-/// The quantity at whose values curves are compared unless `at` names one: the load, or beyond a limit point the first output that always
-/// changes in one direction.
+/// The quantity at whose values curves are compared unless `at` names one: the time, the load, or beyond a limit point the first output
+/// that always changes in one direction.
 const post::Column* usual_position(const post::Measured& measured, const post::Curve& columns) {
     const auto changes_in_one_direction = [](const std::vector<double>& values) {
         return std::ranges::is_sorted(values, std::less_equal<>()) ||
                std::ranges::is_sorted(values, std::greater_equal<>());
     };
     const post::Column* load = columns.find(post::Source::load);
-    for (const post::Source source : {post::Source::load, post::Source::output})
+    for (const post::Source source : {post::Source::time, post::Source::load, post::Source::output})
         for (const post::Series& series : measured.series)
             if (const post::Column& column = columns.columns[series.column];
                 column.source == source && changes_in_one_direction(series.values))
                 return &column;
     return load;
+}
+
+/// Whether the leading load is a function of time that the design states; a measured load then says nothing about the design.
+bool states_load_over_time(const model::Case& model) {
+    return model::is_timed(model) && std::ranges::all_of(model.path.stages, [](const model::Stage& stage) {
+               return stage.supplies.empty() || stage.supplies.front().what == model::Prescription::pressure;
+           });
 }
 
 double bound_of(const std::string& text, const post::Column& at, double otherwise, const MeasuredCurve& curve) {
@@ -50,7 +57,7 @@ void add_rows(Goal& goal, std::size_t index, const core::Table& table, const pos
     MeasuredCurve& curve = goal.curves[index];
     const post::Measured measured = post::read_measured(table, columns, post::parse_column_choices(curve.columns));
     const post::Column* at = curve.at.empty() ? usual_position(measured, columns) : columns.find(curve.at);
-    if (at == nullptr || !is_measurable(*at))
+    if (at == nullptr || !(is_measurable(*at) || at->source == post::Source::time))
         design::refuse(curve.location, "at", core::quoted(curve.at) + " is neither the load nor an output");
     const post::Series* positions = measured.find(columns.index_of(*at));
     if (positions == nullptr)
@@ -104,7 +111,12 @@ void add_data(Goal& goal, std::span<const Base> bases) {
         const std::string file = design::file_from(curve.location, curve.file);
         const core::Bytes bytes = core::read_regular_file(file, max_table_bytes);
         const core::Table table = core::read_table({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file);
-        add_rows(goal, k, table, sweep::unsolved_curve(geometry::build_with_figures(design).model));
+        const model::Case model = geometry::build_with_figures(design).model;
+        post::Curve columns = sweep::unsolved_curve(model);
+        if (states_load_over_time(model))
+            for (post::Column& column : columns.columns)
+                if (column.source == post::Source::load) column.source = post::Source::other;
+        add_rows(goal, k, table, columns);
     }
 }
 

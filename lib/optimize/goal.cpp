@@ -356,11 +356,7 @@ std::vector<double> start_of(Goal& goal, std::span<const design::Design> designs
         variable.is_whole = false;
         for (std::size_t run = 0; run < designs.size(); ++run) {
             const design::Design& design = designs[run];
-            for (const model::DesignParameter& parameter : design.parameters) {
-                known.push_back(parameter.key);
-                if (parameter.key == variable.key && !design.values.has(variable.key))
-                    throw Error(ExitCode::bad_input, location, "is an item of a list, which cannot be varied");
-            }
+            for (const model::DesignParameter& parameter : design.parameters) known.push_back(parameter.key);
             if (!design.values.has(variable.key)) continue;
             goal.runs[run].variables.push_back(i);
             const bool is_continuous = std::ranges::find(design.parameters, variable.key,

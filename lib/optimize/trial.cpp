@@ -47,10 +47,11 @@ Error does_not_fit(const std::string& what, const std::string& problem, const st
     return {ExitCode::bad_input, what, problem, remedy};
 }
 
-/// The column of a quantity of the curve, and the index of its derivative among those of a row: 0 load, 1 ... outputs, then the stretch.
+/// The column of a quantity of the curve, and the index of its derivative among those of a row: 0 load, 1 ... outputs, then the stretch;
+/// nullopt for the time, which does not depend on the design.
 struct Quantity {
     const post::Column* column;
-    std::size_t index;
+    std::optional<std::size_t> index;
 };
 Quantity quantity_named(const Solved& solved, const std::string& name, const std::string& what) {
     const post::Column* column = solved.curve.find(name);
@@ -58,6 +59,7 @@ Quantity quantity_named(const Solved& solved, const std::string& name, const std
     if (column != nullptr && column->source == post::Source::load) return {column, 0};
     if (column != nullptr && column->source == post::Source::output) return {column, 1 + column->index};
     if (column != nullptr && name == stretch) return {column, 1 + outputs};
+    if (column != nullptr && column->source == post::Source::time) return {column, std::nullopt};
     std::vector<std::string> known{solved.curve.find(post::Source::load)->quantity};
     for (const model::Output& output : solved.model.outputs) known.push_back(output.name);
     known.emplace_back(stretch);
@@ -72,10 +74,10 @@ double slope_of(const model::Step& step, std::size_t index) {
 /// d quantity / d at along the path, in SI units; the stretch has no slopes: from the neighbouring rows.
 double slope_ratio(const Solved& solved, std::size_t row, const Quantity& quantity, const Quantity& at) {
     const auto& steps = solved.steps;
-    if (quantity.index <= solved.model.outputs.size())
-        return slope_of(steps[row], at.index) == 0
+    if (*quantity.index <= solved.model.outputs.size())
+        return slope_of(steps[row], *at.index) == 0
                    ? 0
-                   : slope_of(steps[row], quantity.index) / slope_of(steps[row], at.index);
+                   : slope_of(steps[row], *quantity.index) / slope_of(steps[row], *at.index);
     const std::size_t before = row > 0 ? row - 1 : 0, after = std::min(row + 1, steps.size() - 1);
     const double turn = (at.column->values[after] - at.column->values[before]) * at.column->SI_per_unit;
     return turn == 0 ? 0 : (steps[after].stretch_p99 - steps[before].stretch_p99) / turn;
@@ -87,8 +89,9 @@ public:
     QuantityOnCurve(const Solved& solved, const Measure& measure) : solved_(solved), curve_(solved.curve) {
         const Quantity quantity = quantity_named(solved, measure.quantity, measure.text),
                        at = quantity_named(solved, measure.at, measure.text);
-        if (at.index > solved.model.outputs.size())
-            throw does_not_fit(measure.text, "`at` needs the load or an output",
+        if (!quantity.index) throw does_not_fit(measure.text, "the time cannot be a target", "write it under `at`");
+        if (at.index && *at.index > solved.model.outputs.size())
+            throw does_not_fit(measure.text, "`at` needs the load, an output or the time",
                                "write for example at: {pressure: 20 kPa}");
         shown_ = curve_.index_of(*curve_.find(measure.quantity));
         at_ = curve_.index_of(*curve_.find(measure.at));
@@ -97,10 +100,12 @@ public:
         for (std::size_t k = 0; k < solved.cases.size(); ++k) {
             post::Column& column = curve_.columns.emplace_back();
             const auto derivative = [&](std::size_t row) {
+                const auto of_row = [&] { return &solved.steps[row].derivatives[k * quantities]; };
+                if (!at.index) return of_row()[*quantity.index];
                 // In a stage that does not change `at`: about the derivative at the start of the stage that does.
-                while (row + 1 < solved.steps.size() && slope_of(solved.steps[row], at.index) == 0) ++row;
-                const double* D = &solved.steps[row].derivatives[k * quantities];
-                return D[quantity.index] - slope_ratio(solved, row, quantity, at) * D[at.index];
+                while (row + 1 < solved.steps.size() && slope_of(solved.steps[row], *at.index) == 0) ++row;
+                const double* D = of_row();
+                return D[*quantity.index] - slope_ratio(solved, row, quantity, at) * D[*at.index];
             };
             for (std::size_t row = 0; row < solved.steps.size(); ++row)
                 column.values.push_back(post::with_derivatives(solved.steps, row, derivative));
@@ -198,7 +203,7 @@ std::optional<design::Override> end_of_path(std::span<const Measure* const> meas
         if (last != nullptr && last->at != measure->at) return std::nullopt;
         if (last == nullptr || std::abs(measure->at_SI) > std::abs(last->at_SI)) last = measure;
     }
-    if (last == nullptr || design.path.stages.size() != 1) return std::nullopt;
+    if (last == nullptr || design.path.stages.size() != 1 || design.path.stages.front().time_s) return std::nullopt;
     const bool is_output =
         std::ranges::find(design.outputs, last->at, &design::Design::OutputRequest::name) != design.outputs.end();
     const bool is_pressure = last->at == "pressure" && !design.loads.empty();

@@ -216,37 +216,59 @@ std::string suffix_of(const std::string& unit) {
     return suffix;
 }
 
-/// The stiffness along the path, and the derivatives of the load at a fixed first output (sensitivity.hpp).
+/// The stiffness along the path, and the derivatives of the load at a fixed first output, or of both at a fixed time (sensitivity.hpp).
 void add_derivatives(std::vector<Entry>& entries, const model::Case& model, std::span<const Step> steps) {
     if (model.outputs.empty() || model.parameters.empty()) return;
     const Column load = leading_column(model);
-    const Unit per = column_unit(model.outputs.front().measure);
-    const auto add = [&](const std::string& quantity, const std::string& unit, double SI_per_unit, std::string meaning,
+    struct Scale {
+        std::string unit;
+        double SI_per_unit;
+    };
+    const auto add = [&](const std::string& quantity, const Scale& of, const Scale& by, std::string meaning,
                          std::function<Value(const Step&)> value) {
-        const std::string numerator = load.unit.empty() ? "1" : load.unit;
+        const std::string numerator = of.unit.empty() ? "1" : of.unit;
         Column column = plain(quantity, Role::dependent, std::move(meaning));
-        column.unit = unit.empty() ? load.unit : numerator + "/" + unit;
+        column.unit = by.unit.empty() ? of.unit : numerator + "/" + by.unit;
         if (!column.unit.empty())
-            column.name += "_" + suffix_of(numerator) + (unit.empty() ? "" : "_per_" + suffix_of(unit));
-        column.SI_per_unit = load.SI_per_unit / SI_per_unit;
+            column.name += "_" + suffix_of(numerator) + (by.unit.empty() ? "" : "_per_" + suffix_of(by.unit));
+        column.SI_per_unit = of.SI_per_unit / by.SI_per_unit;
         column.shown = Shown::on_demand;
         entries.push_back({.column = std::move(column), .value_SI = std::move(value), .is_optional = true});
     };
+    const Unit output_unit = column_unit(model.outputs.front().measure);
+    const Scale of_load{load.unit, load.SI_per_unit},
+        of_output{std::string{output_unit.suffix}, output_unit.SI_per_unit};
+    const bool is_timed = model::is_timed(model);
     const auto stiffness = [](const Step& step) { return step.tangent_pressure / step.tangent_outputs[0]; };
-    add("stiffness", std::string{per.suffix}, per.SI_per_unit, "slope of the load over the first output along the path",
-        [=](const Step& step) { return step.tangent_outputs.empty() ? std::nullopt : Value(stiffness(step)); });
+    if (!is_timed)
+        add("stiffness", of_load, of_output, "slope of the load over the first output along the path",
+            [=](const Step& step) { return step.tangent_outputs.empty() ? std::nullopt : Value(stiffness(step)); });
     const std::size_t quantities = 1 + model.outputs.size();
     for (std::size_t i = 0; i < model.parameters.size(); ++i) {
         const model::DesignParameter& parameter = model.parameters[i];
-        add(load.quantity + "_by_" + parameter.key, parameter.unit, parameter.SI_per_unit,
-            "derivative of the load by a number of the design at a fixed first output", [=](const Step& step) {
+        const Scale by{parameter.unit, parameter.SI_per_unit};
+        const auto at_rows = [=](auto value_of) {
+            return [=](const Step& step) {
                 if (step.derivatives.size() < (i + 1) * quantities) return Value();
                 const auto row = static_cast<std::size_t>(&step - steps.data());
                 return Value(with_derivatives(steps, row, [&](std::size_t known) {
-                    const double* D = &steps[known].derivatives[i * quantities];
-                    return D[1] == 0 ? D[0] : D[0] - stiffness(steps[known]) * D[1];
+                    return value_of(steps[known], &steps[known].derivatives[i * quantities]);
                 }));
-            });
+            };
+        };
+        if (is_timed) {
+            const std::string meaning = "derivative by a number of the design at a fixed time";
+            add(load.quantity + "_by_" + parameter.key, of_load, by, meaning,
+                at_rows([](const Step&, const double* D) { return D[0]; }));
+            add(model.outputs.front().name + "_by_" + parameter.key, of_output, by, meaning,
+                at_rows([](const Step&, const double* D) { return D[1]; }));
+        } else {
+            add(load.quantity + "_by_" + parameter.key, of_load, by,
+                "derivative of the load by a number of the design at a fixed first output",
+                at_rows([stiffness](const Step& step, const double* D) {
+                    return D[1] == 0 ? D[0] : D[0] - stiffness(step) * D[1];
+                }));
+        }
     }
 }
 

@@ -61,12 +61,15 @@ struct HalfWidths {
     const Column *x = nullptr, *y = nullptr;
 };
 
-/// The band of tolerances has a width of the load at a fixed first output.
+/// The band of tolerances has a width of the load at a fixed first output, over time of either.
 HalfWidths tolerances_of(const Curve& curve, const PlotAxes& axes) {
     const Column *load = curve.find(Source::load), *output = curve.find(Source::output);
     if (load == nullptr || output == nullptr) return {};
+    if (curve.columns[axes.x].source == Source::time)
+        return {nullptr, curve.find("band_rss_" + curve.columns[axes.y].quantity)};
     const Column* half = curve.find("band_rss_" + load->quantity);
     const std::size_t by = curve.index_of(*load), over = curve.index_of(*output);
+    if (curve.find(Source::time) != nullptr) return {};
     if (axes.x == over && axes.y == by) return {nullptr, half};
     if (axes.x == by && axes.y == over) return {half, nullptr};
     return {};

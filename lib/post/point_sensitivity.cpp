@@ -15,7 +15,7 @@ double slope(const model::Step& step, std::size_t quantity) {
 }  // namespace
 
 SensitivityColumns add_sensitivity_columns(Curve& curve, const model::Case& model, std::span<const model::Step> steps) {
-    const SensitivityColumns added{curve.columns.size(), 1 + model.outputs.size()};
+    const SensitivityColumns added{curve.columns.size(), 1 + model.outputs.size(), model::is_timed(model)};
     const auto is_complete = [&](const model::Step& step) {
         return step.tangent_outputs.size() == model.outputs.size() &&
                step.derivatives.size() == model.parameters.size() * added.quantities;
@@ -32,17 +32,18 @@ SensitivityColumns add_sensitivity_columns(Curve& curve, const model::Case& mode
             add([&](std::size_t row) {
                 return with_derivatives(steps, row, [&](std::size_t known) {
                     const double* D = &steps[known].derivatives[p * added.quantities];
-                    return D[1] == 0 ? D[q] : D[q] - slope(steps[known], q) * D[1];
+                    return added.in_time || D[1] == 0 ? D[q] : D[q] - slope(steps[known], q) * D[1];
                 });
             });
     return added;
 }
 
 double sensitivity_at(std::span<const double> row, const SensitivityColumns& columns, const Sensitivity& which) {
-    if (which.quantity == which.held) return 0;
+    if (which.quantity == which.held && !columns.in_time) return 0;
     const std::span<const double> slopes = row.subspan(columns.first, columns.quantities),
                                   D = row.subspan(columns.first + (1 + which.parameter) * columns.quantities,
                                                   columns.quantities);
+    if (columns.in_time) return D[which.quantity];
     return D[which.quantity] - slopes[which.quantity] / slopes[which.held] * D[which.held];
 }
 

@@ -3,6 +3,7 @@
 /// Quantity 0 is the leading load, quantity 1 + i the output i. With the derivatives D at a fixed first output and the slopes s over the
 /// first output along the path,
 ///   dq/dtheta at a fixed h = D_q - s_q D_h / s_h          (theory manual, 6.10).
+/// On a path in time D is the derivative at a fixed time, and nothing else is held.
 /// D and s are smooth along the path, so they are interpolated as columns of the curve. Tested by post/point_sensitivity_test and
 /// pipeline/sweep_sensitivity.
 #include <cstddef>
@@ -16,6 +17,7 @@ namespace soft::post {
 struct SensitivityColumns {
     std::size_t first = 0;       ///< index of the first one
     std::size_t quantities = 0;  ///< 0: the steps have no derivatives
+    bool in_time = false;
 };
 
 /// Appends the columns, in SI units, with the role of dependent columns. Rows without derivatives (bifurcations) are interpolated.
@@ -23,7 +25,7 @@ SensitivityColumns add_sensitivity_columns(Curve& curve, const model::Case& mode
 
 struct Sensitivity {
     std::size_t quantity = 0;   ///< that is differentiated
-    std::size_t held = 0;       ///< quantity with a fixed value
+    std::size_t held = 0;       ///< quantity with a fixed value; in time ignored
     std::size_t parameter = 0;  ///< index in Case::parameters
 };
 

@@ -17,24 +17,30 @@ std::string cell(double value) { return std::isfinite(value) ? core::number_text
 
 const Column& load_of(const Curve& curve) { return *curve.find(Source::load); }
 
-const Column& derivative_of(const Curve& curve, const model::DesignParameter& parameter) {
-    return *curve.find(load_of(curve).quantity + "_by_" + parameter.key);
+const Column& derivative_of(const Curve& curve, const Column& quantity, const model::DesignParameter& parameter) {
+    return *curve.find(quantity.quantity + "_by_" + parameter.key);
+}
+
+/// The quantity whose derivatives are columns of the curve and decide: the load at a fixed first output, in time that output.
+const Column& leading_of(const Curve& curve, const model::Case& model) {
+    return *curve.find(model::is_timed(model) ? Source::output : Source::load);
 }
 
 }  // namespace
 
 std::string sensitivity_csv(const Curve& table, const model::Case& model, std::span<const int> limit_rows) {
     const Column *load = table.find(Source::load), *output = table.find(Source::output);
-    const Column &step = *table.find("step"), &stiffness = *table.find("stiffness");
+    const Column &step = *table.find("step"), *stiffness = table.find("stiffness");
     std::string text = "step," + load->name + "," + output->name +
                        ",parameter,value,unit,d_load,d_output,d_load_percent,d_output_percent\n";
     for (std::size_t row = 0; row < table.row_count(); ++row)
         for (const model::DesignParameter& parameter : model.parameters) {
             const bool is_limit = std::ranges::find(limit_rows, step.values[row]) != limit_rows.end();
             const double value = parameter.value / parameter.SI_per_unit;
-            const double d_load = derivative_of(table, parameter).values[row];
-            const double d_output =
-                is_limit ? std::numeric_limits<double>::quiet_NaN() : -d_load / stiffness.values[row];
+            const double d_load = derivative_of(table, *load, parameter).values[row];
+            const double d_output = stiffness == nullptr ? derivative_of(table, *output, parameter).values[row]
+                                    : is_limit           ? std::numeric_limits<double>::quiet_NaN()
+                                                         : -d_load / stiffness->values[row];
             text += core::number_text(step.values[row]) + "," + cell(load->values[row]) + "," +
                     cell(output->values[row]) + "," + parameter.key + "," + cell(value) + "," + parameter.unit;
             for (const double number :
@@ -46,9 +52,11 @@ std::string sensitivity_csv(const Curve& table, const model::Case& model, std::s
 }
 
 std::string sensitivity_script(const Curve& table, const model::Case& model, PictureFormat format) {
-    const Column &load = load_of(table), &output = *table.find(Source::output);
-    if (load.values.back() == 0)
-        throw Error(ExitCode::bad_input, "--plot", "the last row has no load, so there are no percentages",
+    const Column &shown = leading_of(table, model),
+                 &at = *table.find(model::is_timed(model) ? Source::time : Source::output);
+    if (shown.values.back() == 0)
+        throw Error(ExitCode::bad_input, "--plot",
+                    "in the last row the " + shown.quantity + " is 0, so there are no percentages",
                     "choose another row with --at");
     struct Bar {
         std::string key;
@@ -56,8 +64,8 @@ std::string sensitivity_script(const Curve& table, const model::Case& model, Pic
     };
     std::vector<Bar> bars;
     for (const model::DesignParameter& parameter : model.parameters)
-        bars.push_back({parameter.key, derivative_of(table, parameter).values.back() * parameter.value /
-                                           parameter.SI_per_unit / load.values.back()});
+        bars.push_back({parameter.key, derivative_of(table, shown, parameter).values.back() * parameter.value /
+                                           parameter.SI_per_unit / shown.values.back()});
     std::ranges::stable_sort(bars, {}, [](const Bar& bar) { return std::abs(bar.percent); });  // upwards
     std::string data, names;
     for (std::size_t i = 0; i < bars.size(); ++i) {
@@ -67,9 +75,9 @@ std::string sensitivity_script(const Curve& table, const model::Case& model, Pic
     constexpr const char* bar =
         "using (0.5*$1):2:(0.5*abs($1)):(0.35) with boxxyerror fillstyle solid linecolor rgb '#0072B2' notitle";
     return terminal(format) + axes_style() + "set title " +
-           gnuplot_text(model.name + ": " + load.quantity + " at " + value_text(output, output.values.back()) + " " +
-                        output.quantity) +
-           " noenhanced\nset xlabel " + gnuplot_text("change of the " + load.quantity + " (%) per 1 %") +
+           gnuplot_text(model.name + ": " + shown.quantity + " at " + value_text(at, at.values.back()) + " " +
+                        at.quantity) +
+           " noenhanced\nset xlabel " + gnuplot_text("change of the " + shown.quantity + " (%) per 1 %") +
            " noenhanced\nset ytics (" + names + ") noenhanced\nset yrange [-0.6:" + std::to_string(bars.size() - 1) +
            ".6]\nset yzeroaxis\nset offsets graph 0.03, graph 0.03, 0, 0\n$bars << EOD\n" + data + "EOD\nplot $bars " +
            bar + "\n";
@@ -114,42 +122,55 @@ Deviations parse_tolerances(std::span<const std::string> texts, const model::Cas
 }
 
 std::string add_tolerance_band(Curve& curve, const model::Case& model, const Deviations& deviations) {
-    const Column load = load_of(curve), output = *curve.find(Source::output), stiffness = *curve.find("stiffness");
+    const Column load = load_of(curve), output = *curve.find(Source::output), leading = leading_of(curve, model);
     const std::size_t rows = curve.row_count(), count = deviations.parameters.size();
-    std::vector<double> root(rows), sum(rows), of_output(rows);
     std::string dominant;
-    for (std::size_t row = 0; row < rows; ++row) {
-        std::vector<double> by;  // SI
-        for (const std::size_t k : deviations.parameters)
-            by.push_back(derivative_of(curve, model.parameters[k]).values[row] / model.parameters[k].SI_per_unit);
-        double square = 0, largest = -1;
-        for (std::size_t i = 0; i < count; ++i) {
-            const double own = std::abs(by[i]) * std::sqrt(deviations.covariance[i * count + i]);
-            sum[row] += own;
-            for (std::size_t j = 0; j < count; ++j) square += by[i] * by[j] * deviations.covariance[i * count + j];
-            if (own > largest) {
-                largest = own;
-                dominant = model.parameters[deviations.parameters[i]].key;
+    struct Band {
+        std::vector<double> root, sum;
+    };
+    const auto band_of = [&](const Column& quantity) {
+        Band band{std::vector<double>(rows), std::vector<double>(rows)};
+        for (std::size_t row = 0; row < rows; ++row) {
+            std::vector<double> by;  // SI
+            for (const std::size_t k : deviations.parameters)
+                by.push_back(derivative_of(curve, quantity, model.parameters[k]).values[row] /
+                             model.parameters[k].SI_per_unit);
+            double square = 0, largest = -1;
+            for (std::size_t i = 0; i < count; ++i) {
+                const double own = std::abs(by[i]) * std::sqrt(deviations.covariance[i * count + i]);
+                band.sum[row] += own;
+                for (std::size_t j = 0; j < count; ++j) square += by[i] * by[j] * deviations.covariance[i * count + j];
+                if (own > largest && quantity.name == leading.name) {
+                    largest = own;
+                    dominant = model.parameters[deviations.parameters[i]].key;
+                }
             }
+            band.root[row] = std::sqrt(std::max(0.0, square));
         }
-        root[row] = std::sqrt(std::max(0.0, square));
-        of_output[row] = root[row] / std::abs(stiffness.values[row]);
-    }
-    const auto add = [&](const char* kind, const Column& of, std::vector<double> values, const char* meaning) {
+        return band;
+    };
+    Band of_load = band_of(load);
+    const Column* stiffness = curve.find("stiffness");
+    std::vector<double> of_output = stiffness == nullptr ? band_of(output).root : of_load.root;
+    for (std::size_t row = 0; stiffness != nullptr && row < rows; ++row)
+        of_output[row] /= std::abs(stiffness->values[row]);
+    const std::string at = stiffness == nullptr ? "at a fixed time" : "at a fixed output",
+                      at_load = stiffness == nullptr ? at : "at a fixed load";
+    const auto add = [&](const char* kind, const Column& of, std::vector<double> values, std::string meaning) {
         Column column = of;
         column.name = kind + of.name;
         column.quantity = kind + of.quantity;
-        column.meaning = meaning;
+        column.meaning = std::move(meaning);
         column.role = Role::dependent;
         column.source = Source::other;
         column.values = std::move(values);
         column.slopes.clear();
         curve.columns.push_back(std::move(column));
     };
-    add(rss, load, std::move(root),
-        "half width of the band of the tolerances at a fixed output: root of the sum of squares");
-    add(worst, load, std::move(sum), "half width of the band of the tolerances at a fixed output: sum");
-    add(rss, output, std::move(of_output), "half width of the band of the tolerances at a fixed load");
+    add(rss, load, std::move(of_load.root),
+        "half width of the band of the tolerances " + at + ": root of the sum of squares");
+    add(worst, load, std::move(of_load.sum), "half width of the band of the tolerances " + at + ": sum");
+    add(rss, output, std::move(of_output), "half width of the band of the tolerances " + at_load);
     return dominant;
 }
 

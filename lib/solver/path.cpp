@@ -167,6 +167,7 @@ void PathFollower::go_from(PathPoint point) {
     system_.prescribe(path_.last->levels);
     let_contact_rest(system_, *path_.last, *path_.last);
     system_.accept_step(path_.last->state.x);
+    recorder_.accept_step();
 }
 
 bool PathFollower::pass_events(Events events) {

@@ -71,6 +71,10 @@ void Recorder::append(PathState& path, PathPoint& point) {
     if (listeners_.row) listeners_.row(row_state(system, point, direction, std::move(step)));
 }
 
+void Recorder::accept_step() {
+    if (sensitivities_ != nullptr) sensitivities_->accept_step();
+}
+
 void Recorder::report_control(const PathState& path) const {
     if (!listeners_.control) return;
     const Constraint& control = path.control;

@@ -15,6 +15,8 @@ public:
 
     /// Makes a point the next row, and sets its work since the last row.
     void append(PathState& path, PathPoint& point);
+    /// The next step starts from the point appended last.
+    void accept_step();
 
     void report_control(const PathState& path) const;
     void keep_checkpoint(const PathState& path) const;

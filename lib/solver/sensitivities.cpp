@@ -15,6 +15,9 @@ namespace {
 
 /// Of the value of a parameter: the error of a one-sided difference is about 30 times this fraction of the derivative.
 constexpr double small_change = 2e-6;
+/// Corrections of a derivative at the moved states, and the relative correction after which none follows.
+constexpr int max_passes = 4;
+constexpr double accurate_pass = 1e-5;
 /// Of the value that a goal prescribes.
 constexpr double goal_tolerance = 1e-6;
 
@@ -85,6 +88,7 @@ struct Sensitivities::Parameter {
     };
     std::array<Varied, 2> varied;
     bool is_rough = false;        ///< a difference to one side is not accurate enough
+    std::array<std::optional<State>, 2> moved;  ///< with internal variables, the states of both systems at the row
     StageStart start_slope = {};  ///< derivative of the start of the next stage
 
     [[nodiscard]] Side side(std::size_t which, const PathState& path, const PathPoint& point, const fem::System& base) {
@@ -123,8 +127,7 @@ Sensitivities::Sensitivities(const fem::System& base, std::span<const std::array
 
 Sensitivities::~Sensitivities() = default;
 
-Sensitivities::End Sensitivities::evaluate_at(Side& side, const PathPoint& point) const {
-    const State& state = point.state;
+Sensitivities::End Sensitivities::evaluate_at(Side& side, const State& state) const {
     End end{linalg::duplicate(state.x), {}};
     static_cast<void>(
         side.system->evaluate(state.x, side.loads->levels(state.load_factor, state.pressures_Pa), end.R, nullptr));
@@ -136,33 +139,64 @@ Sensitivities::End Sensitivities::evaluate_at(Side& side, const PathPoint& point
     return end;
 }
 
+PathTangent Sensitivities::direction_between(Newton& newton, const End& before, const End& after, double change) {
+    linalg::add(before.R, -1.0, after.R);
+    SOFT_PETSC(VecScale(before.R, 1.0 / change));  // -dR/dtheta
+    auto direction = newton.bordered_solve(before.R, quotient(before.equations, after.equations, change));
+    if (!direction) throw singular("the linear system of a derivative is not solved");
+    return std::move(*direction);
+}
+
+void Sensitivities::correct_at_moved_states(Newton& newton, const State& state, Side& lower, Side& higher,
+                                            PathTangent& direction) const {
+    const double change = higher.change - lower.change;
+    for (int pass = 0; pass < max_passes; ++pass) {
+        const End before = evaluate_at(lower, moved(state, lower.change, direction)),
+                  after = evaluate_at(higher, moved(state, higher.change, direction));
+        const PathTangent missing = direction_between(newton, before, after, change);
+        linalg::add(direction.x, 1.0, missing.x);
+        direction.load_factor += missing.load_factor;
+        for (std::size_t k = 0; k < direction.pressures.size(); ++k) direction.pressures[k] += missing.pressures[k];
+        if (linalg::norm(missing.x) <= accurate_pass * linalg::norm(direction.x)) return;
+    }
+}
+
 void Sensitivities::evaluate(Corrector& corrector, const PathState& path, const PathPoint& point, model::Step& step) {
     const Corrector::Memory memory = corrector.memory();
     Newton& newton = corrector.newton();
-    const Constraint along{ConstraintKind::arc, 0, point.state.x, point.tangent.x};
+    const bool in_time = corrector.input().path.stages[static_cast<std::size_t>(path.stage)].time_s.has_value();
+    const Constraint along =
+        in_time ? Constraint{} : Constraint{ConstraintKind::arc, 0, point.state.x, point.tangent.x};
+    const bool has_memory = !base_.internal().is_empty();
     if (!newton.tangent(along, point.state)) throw singular("the tangent of a row is singular");
     Side base{0, &corrector.system(), &*path.loads};
-    const End at_base = evaluate_at(base, point);
+    const End at_base = evaluate_at(base, point.state);
     const bool stage_follows = path.stage + 1 < static_cast<int>(corrector.input().path.stages.size());
     const Goal* goal = stage_follows ? reached_goal(path, point) : nullptr;
     for (Parameter& parameter : parameters_) {
         const bool to_higher = parameter.varied[1].change > 0;
-        const bool is_central = point.touches || parameter.is_rough || !to_higher;
+        const bool is_central = point.touches || parameter.is_rough || !to_higher || has_memory;
         Side lower = is_central && parameter.varied[0].change < 0 ? parameter.side(0, path, point, base_) : base;
         Side higher = to_higher ? parameter.side(1, path, point, base_) : base;
         const double change = higher.change - lower.change;
-        const End before = lower.change < 0 ? evaluate_at(lower, point) : End{copy_of(at_base.R), at_base.equations};
-        const End after = higher.change > 0 ? evaluate_at(higher, point) : End{copy_of(at_base.R), at_base.equations};
-        linalg::add(before.R, -1.0, after.R);
-        SOFT_PETSC(VecScale(before.R, 1.0 / change));  // -dR/dtheta
-        const auto moved_at = newton.bordered_solve(before.R, quotient(before.equations, after.equations, change));
-        if (!moved_at) throw singular("the linear system of a derivative is not solved");
+        const End before = lower.change < 0 ? evaluate_at(lower, point.state) : End{copy_of(at_base.R), at_base.equations};
+        const End after = higher.change > 0 ? evaluate_at(higher, point.state) : End{copy_of(at_base.R), at_base.equations};
+        PathTangent moved_at = direction_between(newton, before, after, change);
+        if (base_.internal().soften()) correct_at_moved_states(newton, point.state, lower, higher, moved_at);
         const auto values = [&](const Side& side) {
-            return values_at(*side.system, *side.loads, moved(point.state, side.change, *moved_at), point, stretch_);
+            return values_at(*side.system, *side.loads, moved(point.state, side.change, moved_at), point, stretch_);
         };
         const auto slopes = quotient(values(higher), values(lower), change);
         step.derivatives.insert(step.derivatives.end(), slopes.begin(), slopes.end());
-        if (goal == nullptr) continue;
+        const auto remember = [&](const PathTangent& direction) {
+            for (std::size_t which = 0; has_memory && which < parameter.varied.size(); ++which)
+                if (parameter.varied[which].change != 0)
+                    parameter.moved[which] = moved(point.state, parameter.varied[which].change, direction);
+        };
+        if (goal == nullptr) {
+            remember(moved_at);
+            continue;
+        }
         // The next stage starts where the quantity of the goal keeps its value.
         const auto moved_point = [&](const Side& side, const PathTangent& direction) {
             const std::size_t supplies = point.state.pressures_Pa.size();
@@ -172,7 +206,7 @@ void Sensitivities::evaluate(Corrector& corrector, const PathState& path, const 
             read_values(*side.system, *side.loads, &point, at);
             return at;
         };
-        PathTangent direction{copy_of(moved_at->x), moved_at->load_factor, moved_at->pressures, {}, 0};
+        PathTangent direction{copy_of(moved_at.x), moved_at.load_factor, moved_at.pressures, {}, 0};
         const double by_parameter = (value_of(goal->constraint, moved_point(higher, direction)) -
                                      value_of(goal->constraint, moved_point(lower, direction))) /
                                     change;
@@ -181,6 +215,7 @@ void Sensitivities::evaluate(Corrector& corrector, const PathState& path, const 
         direction.load_factor += back * point.tangent.load_factor;
         for (std::size_t k = 0; k < direction.pressures.size(); ++k)
             direction.pressures[k] += back * point.tangent.pressures[k];
+        remember(direction);
         const auto start = [&](const Side& side) {
             return stage_start_at(side.system->input(), *side.loads, moved_point(side, direction));
         };
@@ -190,6 +225,17 @@ void Sensitivities::evaluate(Corrector& corrector, const PathState& path, const 
     }
     corrector.system().prescribe(point.levels);
     corrector.restore(memory);
+}
+
+void Sensitivities::accept_step() {
+    for (Parameter& parameter : parameters_)
+        for (std::size_t which = 0; which < parameter.varied.size(); ++which) {
+            const auto& state = parameter.moved[which];
+            Parameter::Varied& varied = parameter.varied[which];
+            if (!state) continue;
+            varied.system->prescribe(varied.loads->levels(state->load_factor, state->pressures_Pa));
+            varied.system->accept_step(state->x);
+        }
 }
 
 }  // namespace soft::solver

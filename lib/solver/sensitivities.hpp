@@ -2,12 +2,14 @@
 /// Derivatives of the rows of a path by numbers of the design, theta: dimensions, constants of materials, loads, obstacles.
 /// A row satisfies R(x, lambda, p; theta) = 0 and e_k(..; theta) = 0 (newton.hpp). Its derivative at a fixed position along the path,
 ///   M (dx, dlambda, dp) = -(dR/dtheta, de/dtheta, 0),     M the bordered matrix of the row with the constraint t . dx = 0, t = dx/dq,
-/// exists at limit points too. dR/dtheta, de/dtheta and the derivatives of the outputs are differences between two systems with theta a
+/// exists at limit points too. In a stage with a time the constraint is lambda instead, so the derivative is at a fixed time. dR/dtheta, de/dtheta and the derivatives of the outputs are differences between two systems with theta a
 /// little smaller and larger (geometry/variations.hpp), at the same state and at the states moved along the derivative; so they include
-/// whatever depends on theta: nodes, constants, loads, contact, definitions of outputs. With D the derivative of the leading load or of an
+/// whatever depends on theta: nodes, constants, loads, contact, definitions of outputs. Each system has internal variables of its own, which
+/// follow the moved states along the path, so the derivatives are those of the computed path in its steps. With D the derivative of the leading load or of an
 /// output, and T their slopes along the path, the derivative
 ///   of the load at a fixed output is D_load - T_load D_output / T_output, at a limit point that of the limit load,
-///   of the output at a fixed load  D_output - T_output D_load / T_load.
+///   of the output at a fixed load  D_output - T_output D_load / T_load,
+/// and D itself at a fixed time.
 /// Source: Haug, Choi and Komkov, Design Sensitivity Analysis of Structural Systems (1986); Reitinger, Bletzinger and Ramm, Comput. Syst. Eng. 5
 /// (1994) 65, for limit loads. The form by the tangent of the path: derived here.
 /// Tested by solver/sensitivities_test and pipeline/sensitivities.
@@ -33,12 +35,21 @@ public:
 
     /// Fills step.derivatives. Collective. Throws Error (bad_input) where the bordered matrix is singular.
     void evaluate(Corrector& corrector, const PathState& path, const PathPoint& point, model::Step& step);
+    /// The point of the last evaluate() is accepted: the next step starts from it. Collective.
+    void accept_step();
 
 private:
     struct Side;
     struct Parameter;
     struct End;
-    [[nodiscard]] End evaluate_at(Side& side, const PathPoint& point) const;
+    [[nodiscard]] End evaluate_at(Side& side, const State& state) const;
+    /// The derivative of the state from the residuals of both systems at one state. Overwrites before.R.
+    [[nodiscard]] static PathTangent direction_between(Newton& newton, const End& before, const End& after,
+                                                       double change);
+    /// The tangent of softened rubber jumps where loading turns into unloading. Between the states at which both systems are compared
+    /// a point may lie on either side, but the moved states lie on the side of the path.
+    void correct_at_moved_states(Newton& newton, const State& state, Side& lower, Side& higher,
+                                 PathTangent& direction) const;
 
     const fem::System& base_;
     WithStretch stretch_;

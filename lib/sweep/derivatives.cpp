@@ -41,6 +41,7 @@ std::optional<std::size_t> held_at_end(const SolvedPath& path) {
 }
 
 std::optional<std::size_t> held_at(const SourceText& point, const post::Curve& curve, const SolvedPath& path) {
+    if (model::is_timed(path.model)) return 0;  // the time is
     if (point.text == "limit") return 1;  // the derivative of the load is the same at any fixed output
     if (point.text == "end") return held_at_end(path);
     const post::Column* column = curve.find(quantity_named_by(point));
@@ -103,7 +104,7 @@ void check_derivatives(const Sweep& sweep, const post::Curve& curve) {
                     "add the load or an output of the design to outputs");
     for (const SourceText& point : sweep.at) {
         const post::Column* column = is_named_point(point) ? nullptr : curve.find(quantity_named_by(point));
-        if (column != nullptr && !quantity_of(*column))
+        if (column != nullptr && !quantity_of(*column) && column->source != post::Source::time)
             throw Error(ExitCode::bad_input, point.location + ": at",
                         "there are no sensitivities at a fixed " + column->quantity,
                         "use points of the load or of an output of the design, or leave out sensitivity");
