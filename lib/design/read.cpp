@@ -162,7 +162,7 @@ std::vector<model::DesignParameter> parameters_of(std::span<const Item> items) {
                                                            ExitCode::internal, item.entry.location);
             parameters.push_back({std::move(name), unit, unit_SI, value});
         };
-        if (item.list.empty()) {
+        if (item.list.size() < 2) {
             add(key, item.entry.text, item.entry.number);
             continue;
         }
@@ -276,7 +276,7 @@ Values values_of(std::span<const Item> items) {
     Values values;
     for (const Item& item : items) {
         values.set(item.key.path, item.entry);
-        for (std::size_t i = 0; dimension_of(item.key.kind) && i < item.list.size(); ++i) {
+        for (std::size_t i = 0; dimension_of(item.key.kind) && item.list.size() > 1 && i < item.list.size(); ++i) {
             const double number = item.entry.numbers[i];
             values.set(item.key.path + "." + std::to_string(i + 1),
                        {number, item.list[i], item.entry.location, item.entry.given, {number}});

@@ -53,7 +53,8 @@ double bound_of(const std::string& text, const post::Column& at, double otherwis
 
 }  // namespace
 
-void add_rows(Goal& goal, std::size_t index, const core::Table& table, const post::Curve& columns) {
+void add_rows(Goal& goal, std::size_t index, const core::Table& table, const post::Curve& columns,
+              LoadIs load) {
     MeasuredCurve& curve = goal.curves[index];
     const post::Measured measured = post::read_measured(table, columns, post::parse_column_choices(curve.columns));
     const post::Column* at = curve.at.empty() ? usual_position(measured, columns) : columns.find(curve.at);
@@ -69,6 +70,7 @@ void add_rows(Goal& goal, std::size_t index, const core::Table& table, const pos
     for (const post::Series& series : measured.series) {
         const post::Column& column = columns.columns[series.column];
         if (&column == at || !is_measurable(column)) continue;
+        if (column.source == post::Source::load && load == LoadIs::stated) continue;
         Condition row{.measure = {.run = curve.run, .quantity = column.quantity, .at = curve.at},
                       .unit = column.unit,
                       .SI_per_unit = column.SI_per_unit,
@@ -112,11 +114,8 @@ void add_data(Goal& goal, std::span<const Base> bases) {
         const core::Bytes bytes = core::read_regular_file(file, max_table_bytes);
         const core::Table table = core::read_table({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file);
         const model::Case model = geometry::build_with_figures(design).model;
-        post::Curve columns = sweep::unsolved_curve(model);
-        if (states_load_over_time(model))
-            for (post::Column& column : columns.columns)
-                if (column.source == post::Source::load) column.source = post::Source::other;
-        add_rows(goal, k, table, columns);
+        add_rows(goal, k, table, sweep::unsolved_curve(model),
+                 states_load_over_time(model) ? LoadIs::stated : LoadIs::found);
     }
 }
 

@@ -16,7 +16,11 @@ namespace soft::optimize {
 /// in its range.
 void add_data(Goal& goal, std::span<const Base> bases);
 
+/// Whether the design states the load at each time; else it follows from the design.
+enum class LoadIs { found, stated };
+
 /// The same for one curve, with the columns of its design.
-void add_rows(Goal& goal, std::size_t curve, const core::Table& table, const post::Curve& columns);
+void add_rows(Goal& goal, std::size_t curve, const core::Table& table, const post::Curve& columns,
+              LoadIs load = LoadIs::found);
 
 }  // namespace soft::optimize

@@ -89,7 +89,10 @@ post::Curve unsolved_curve(const model::Case& model) {
     if (cavities > 0) step.volume_m3 = 0;
     if (cavities > 1) step.volumes_m3.assign(cavities, 0);
     if (model.dynamics) step.motion = model::Step::Motion{};
+    if (model::is_timed(model)) step.time_s = 0;
     step.energies = model::Step::Energies{};
+    if (model::is_inelastic(model)) step.energies->dissipated_J = 0;
+    if (model::has_friction(model)) step.energies->friction_J = 0;
     step.extremes = model::Step::Extremes{};
     return post::make_curve(model, {&step, 1});
 }
