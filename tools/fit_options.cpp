@@ -7,6 +7,7 @@
 
 #include "core/text.hpp"
 #include "core/units.hpp"
+#include "fit_elastic.hpp"
 #include "library_versions.hpp"
 #include "post/plot.hpp"
 
@@ -15,11 +16,12 @@ namespace {
 
 /// Option values as text, before conversion.
 struct Words {
-    std::string input, law = "yeoh", range, strain, stress, weights = "uniform", stability = "enforced", decimal,
+    std::string input, law, range, strain, stress, weights = "uniform", stability = "enforced", decimal,
                        delimiter;
     std::map<fit::Mode, std::vector<std::string>> files;
     std::vector<std::string> mode_weights;
     std::string weight_floor, gauge_length, area, width, thickness;
+    std::string elastic;
     bool offset = false, any_order = false;
 };
 
@@ -116,7 +118,7 @@ fit::Specimen specimen_of(const Words& words) {
 
 void apply(const Words& words, FitOptions& options) {
     options.files = files_of(words);
-    options.candidate = fit::find_candidate(words.law);
+    options.candidate = fit::find_candidate(words.law.empty() ? "yeoh" : words.law);
     if (options.candidate == nullptr)
         throw Error(ExitCode::usage, "--law", "no law is called " + core::quoted(words.law),
                     core::did_you_mean(words.law, law_names()));
@@ -144,6 +146,14 @@ void apply(const Words& words, FitOptions& options) {
     if (words.stability == "everywhere") options.settings.stability = fit::Stability::everywhere;
     if (words.stability == "reported") options.settings.stability = fit::Stability::reported;
     if (words.offset) options.settings.offset = fit::Offset::fitted;
+    if (!words.elastic.empty()) {
+        if (!options.in_time())
+            throw Error(ExitCode::usage, "--elastic", "has no effect without --viscoelastic or --softening", "omit it");
+        if (options.rank) throw Error(ExitCode::usage, "--rank", "has no effect with --elastic", "omit one of them");
+        if (!words.law.empty())
+            throw Error(ExitCode::usage, "--law", "is stated by --elastic too", "omit one of them");
+        options.history.elastic = elastic_law(words.elastic);
+    }
     options.reading.wants_time = options.in_time();
     if (options.in_time()) {
         options.reading.order = fit::RowOrder::points;  // the elastic fit, the start of the search, takes them so
@@ -217,6 +227,10 @@ void add_fit_options(CLI::App& app, Words& words, FitOptions& options) {
         ->type_name("N");
     app.add_flag("--softening", options.history.softening,
                  "Fit Ogden-Roxburgh softening with the law, to tests with cycles and a time column");
+    app.add_option("--elastic", words.elastic,
+                   "With --viscoelastic or --softening: keep the constants of this law, a material file or a silicone of "
+                   "the library, and fit the others")
+        ->type_name("MATERIAL");
     app.add_flag("--rank", options.rank, "Fit all laws and print a table, best first, instead of a material");
     app.add_option("--range", words.range, "Range of engineering strain to fit, e.g. 0:110% or :3")
         ->type_name("FROM:TO");

@@ -70,6 +70,7 @@ struct Fit {
     std::vector<TestQuality> tests;
     std::size_t rows = 0;
     double rmse_Pa = 0, max_Pa = 0, r2 = 0;
+    bool law_is_given = false;  ///< `list` was not fitted (history_fit.hpp)
     // Of fit_history; else empty.
     std::optional<material::Inelastic> inelastic = {};
     std::vector<HistoryConstant> history;           ///< its constants; `covariance` covers `list`, then these

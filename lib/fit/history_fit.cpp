@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 #include "core/error.hpp"
@@ -67,6 +68,7 @@ struct Unknowns {
     std::vector<double> scale, value, low, high;
 
     [[nodiscard]] std::size_t of_law() const { return scale.size(); }
+    [[nodiscard]] std::size_t given() const { return settings->elastic ? of_law() : 0; }
     [[nodiscard]] std::size_t size() const { return value.size(); }
     void add(double start, double from, double to) {
         value.push_back(std::clamp(start, from, to));
@@ -213,7 +215,7 @@ Unknowns start_of(const Fit& elastic, const std::vector<TestCurve>& tests, const
     for (const Constant& constant : elastic.list) {
         const bool is_term =
             elastic.candidate.law == "ogden" || !constant.is_stress;  // its sign belongs to the exponent
-        const bool starts_small = !is_term && (keeps_signs ? constant.value : std::abs(constant.value)) < small * size;
+        const bool starts_small = !settings.elastic && !is_term && (keeps_signs ? constant.value : std::abs(constant.value)) < small * size;
         unknowns.scale.push_back(starts_small ? small * size : constant.value);
         unknowns.add(1.0, keeps_signs || is_term ? 0.0 : -far, far);
     }
@@ -259,6 +261,11 @@ Searched search(Unknowns unknowns, const std::vector<TestCurve>& tests, const st
     function->SetNumResiduals(static_cast<int>(weights.size()));
     double* x = unknowns.value.data();
     problem.AddResidualBlock(function, nullptr, x);  // owned by the problem
+    if (unknowns.given() > 0) {
+        std::vector<int> constant(unknowns.given());
+        std::iota(constant.begin(), constant.end(), 0);
+        problem.SetManifold(x, new ceres::SubsetManifold(static_cast<int>(unknowns.size()), constant));
+    }
     for (std::size_t i = 0; i < unknowns.size(); ++i) {
         problem.SetParameterLowerBound(x, static_cast<int>(i), unknowns.low[i]);
         problem.SetParameterUpperBound(x, static_cast<int>(i), unknowns.high[i]);
@@ -272,6 +279,7 @@ Searched search(Unknowns unknowns, const std::vector<TestCurve>& tests, const st
     ceres::Solve(options, &problem, &summary);
     std::vector<double> residual;
     ceres::CRSMatrix crs;
+    if (unknowns.given() > 0) problem.SetManifold(x, nullptr);  // the Jacobian by all unknowns
     Searched found{unknowns, summary.final_cost, {}, {}};
     if (!problem.Evaluate({}, &found.cost, &residual, nullptr, &crs)) {
         found.cost = std::numeric_limits<double>::infinity();
@@ -296,7 +304,7 @@ void add_covariance(const Searched& found, Fit& fit) {
     const std::size_t n = found.unknowns.size();
     std::vector<Eigen::Index> free;
     for (std::size_t i = 0; i < n; ++i)
-        if (!is_at_bound(found.unknowns, i)) free.push_back(static_cast<Eigen::Index>(i));
+        if (i >= found.unknowns.given() && !is_at_bound(found.unknowns, i)) free.push_back(static_cast<Eigen::Index>(i));
     fit.covariance.assign(n * n, 0.0);
     if (free.empty()) return;
     Eigen::MatrixXd J = found.jacobian(Eigen::all, free);
@@ -347,13 +355,39 @@ void add_constants(const Searched& found, const Fit& elastic, Fit& fit) {
 
 }  // namespace
 
+Fit given_law(const std::string& law, const material::Constants& constants) {
+    const bool has_terms = law == "ogden";
+    const std::size_t terms = has_terms ? constants.at("mu").size() : 0;
+    const Candidate* candidate = nullptr;  // the one with the most constants
+    for (const Candidate& other : candidates())
+        if (other.law == law && (!has_terms || static_cast<std::size_t>(other.linear) == terms)) candidate = &other;
+    if (candidate == nullptr)
+        throw Error(ExitCode::usage, "--elastic", "the law " + core::quoted(law) + " cannot be fitted",
+                    "use one of those that --law names");
+    Fit fit;
+    fit.candidate = *candidate;
+    fit.constants = constants;
+    if (has_terms) {
+        for (const char* name : {"mu", "alpha"})
+            for (std::size_t k = 0; k < terms; ++k)
+                fit.list.push_back(
+                    {std::string{name} + " " + std::to_string(k + 1), constants.at(name)[k], 0, name[0] == 'm'});
+        return fit;
+    }
+    const auto& parameters = material::find_law(law)->parameters;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(candidate->linear + candidate->shapes); ++i)
+        fit.list.push_back({std::string{parameters[i].name}, constants.at(std::string{parameters[i].name}).front(), 0,
+                            static_cast<int>(i) < candidate->linear});
+    return fit;
+}
+
 Fit fit_history(const Candidate& candidate, const std::vector<TestCurve>& tests, const HistorySettings& history,
                 const Settings& settings) {
     const Times times = times_of(tests);
     if (history.softening && std::ranges::none_of(tests, unloads))
         throw Error(ExitCode::bad_input, tests.front().source, "no test unloads, so that softening cannot be seen",
                     "give a test with cycles, or omit --softening");
-    const Fit elastic = fit(candidate, tests, settings);
+    const Fit elastic = history.elastic ? *history.elastic : fit(candidate, tests, settings);
     const std::vector<double> weights = weights_of(tests, settings);
     std::optional<Searched> best;
     for (const double factor : time_starts)
@@ -361,9 +395,10 @@ Fit fit_history(const Candidate& candidate, const std::vector<TestCurve>& tests,
             if ((history.branches == 0 && factor != time_starts[0]) || (!history.softening && r != r_starts[0]))
                 continue;
             Unknowns start = start_of(elastic, tests, history, settings.stability, factor, r);
-            if (start.size() + 1 >= weights.size())
+            const std::size_t fitted = start.size() - start.given();
+            if (fitted + 1 >= weights.size())
                 throw Error(ExitCode::bad_input, tests.front().source,
-                            std::to_string(weights.size()) + " rows are too few for " + std::to_string(start.size()) +
+                            std::to_string(weights.size()) + " rows are too few for " + std::to_string(fitted) +
                                 " constants",
                             "give more rows, or fewer Maxwell elements");
             Searched found = search(std::move(start), tests, weights);
@@ -372,7 +407,8 @@ Fit fit_history(const Candidate& candidate, const std::vector<TestCurve>& tests,
     if (Unknowns ascending = in_order(best->unknowns); ascending.value != best->unknowns.value)
         best = search(std::move(ascending), tests, weights);
     Fit fit;
-    fit.candidate = candidate;
+    fit.candidate = elastic.candidate;
+    fit.law_is_given = history.elastic.has_value();
     fit.max_I1 = max_invariant(tests);
     if (!best->unknowns.rubber(best->unknowns.value.data()))
         throw Error(ExitCode::bad_input, tests.front().source, "no constants of the law give a finite stress",
@@ -381,9 +417,9 @@ Fit fit_history(const Candidate& candidate, const std::vector<TestCurve>& tests,
     add_constants(*best, elastic, fit);
     const auto rubber = best->unknowns.rubber(best->unknowns.value.data());
     for (const TestCurve& test : tests) fit.predicted_Pa.push_back(stress_of_test(rubber.value(), test));
-    add_row_errors(tests, {best->residual.squaredNorm(), best->unknowns.size() + 1}, fit);
+    add_row_errors(tests, {best->residual.squaredNorm(), best->unknowns.size() - best->unknowns.given() + 1}, fit);
     add_stability(false, fit);
-    for (std::size_t i = 0; i < best->unknowns.size(); ++i)
+    for (std::size_t i = best->unknowns.given(); i < best->unknowns.size(); ++i)
         if (is_at_bound(best->unknowns, i)) {
             fit.flags.emplace_back("at-bound");
             break;

@@ -16,7 +16,8 @@ std::string kPa(double value_Pa) { return core::rounded_text(value_Pa / kilo, di
 std::string value_text(const Constant& constant) {
     return constant.is_stress ? kPa(constant.value) : core::rounded_text(constant.value, digits);
 }
-std::string error_text(const Constant& constant) {
+std::string error_text(const Fit& fit, const Constant& constant) {
+    if (fit.law_is_given) return "given";
     if (!(constant.standard_error > 0.0)) return "at a bound";
     return "+- " +
            core::rounded_text(constant.is_stress ? constant.standard_error / kilo : constant.standard_error, 3) +
@@ -47,14 +48,14 @@ std::string constants(const Fit& fit) {
     const bool ogden = fit.candidate.law == "ogden";
     if (!ogden) {
         for (const Constant& constant : fit.list)
-            text += line(std::string{"  "}.append(constant.name), value_text(constant), error_text(constant));
+            text += line(std::string{"  "}.append(constant.name), value_text(constant), error_text(fit, constant));
         return text;
     }
     for (const bool stress : {true, false}) {
         std::vector<std::string> values, errors;
         for (const Constant& constant : fit.list)
             if (constant.is_stress == stress)
-                values.push_back(value_text(constant)), errors.push_back(error_text(constant));
+                values.push_back(value_text(constant)), errors.push_back(error_text(fit, constant));
         text += line(stress ? "  mu" : "  alpha", std::string{"["}.append(core::join(values)).append("]"),
                      core::join(errors));
     }

@@ -84,6 +84,24 @@ TEST(HistoryFit, RelaxationAndRampsGiveTheMaxwellElements) {
     EXPECT_EQ(fit.predicted_Pa.size(), 2U);
 }
 
+TEST(HistoryFit, AGivenLawKeepsItsConstants) {
+    const Known known;
+    const std::vector<TestCurve> tests{known.test({{0.2, 1.6}, {30, 1.6}}, 0.1)};
+    const Fit given = given_law("yeoh", {{"c1", {5e4}}, {"c2", {3e3}}, {"c3", {0}}, {"a", {0}}, {"b", {1}}});
+    const Fit fit = fit_history(*find_candidate("gent"), tests, {2, false, given});
+    EXPECT_EQ(fit.candidate.law, "yeoh");
+    EXPECT_EQ(value_of(fit, "c1"), 5e4);
+    EXPECT_EQ(value_of(fit, "c2"), 3e3);
+    EXPECT_EQ(error_of(fit, "c1"), 0);
+    EXPECT_NEAR(value_of(fit, "modulus 1"), 0.3, 0.01 * 0.3);
+    EXPECT_NEAR(value_of(fit, "time 2"), 12, 0.02 * 12);
+    EXPECT_GT(error_of(fit, "modulus 1"), 0);
+    // The other constants cannot make up for a law that is not that of the test.
+    const Fit stiff = fit_history(*find_candidate("yeoh"), tests, {2, false, given_law("neo-hookean", {{"mu", {1.1e5}}})});
+    EXPECT_LT(stiff.r2, fit.r2);
+    EXPECT_THROW(static_cast<void>(given_law("kraken", {})), Error);
+}
+
 TEST(HistoryFit, CyclesGiveSofteningAndRelaxationTogether) {
     Known known;
     known.r = 1.8;
