@@ -2,6 +2,7 @@
 /// The equilibrium path as plain data: shared by solver, io and post. SI units.
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,6 +23,9 @@ enum class StopReason { done, limit_point, diverged, inverted_element, self_cont
     }
     return "diverged";
 }
+
+/// In place of the derivatives of a row that has none: a bifurcation, where they are not unique.
+inline constexpr double no_derivative = std::numeric_limits<double>::max();
 
 /// One converged state. The tangent_* values are the derivatives by a common path parameter (of arbitrary positive scale, in the
 /// direction of the path), so d(pressure)/d(volume) is a quotient of two of them.
@@ -82,7 +86,7 @@ struct Step {
     /// model::PathSettings::frequencies values, ascending; negative: unstable (solver/natural_frequencies.hpp).
     std::vector<double> frequencies_Hz = {};
     /// Derivatives by Case::parameters at a fixed position along the path (solver/sensitivities.hpp), SI: for each parameter of
-    /// pressure_Pa, then of each output.
+    /// pressure_Pa, then of each output; all no_derivative where they do not exist.
     std::vector<double> derivatives = {};
 };
 

@@ -364,7 +364,7 @@ std::string Curve::coordinate_names() const {
 double with_derivatives(std::span<const model::Step> steps, std::size_t row,
                         const std::function<double(std::size_t)>& value) {
     const auto has_none = [steps](std::size_t at) {
-        return std::ranges::all_of(steps[at].derivatives, [](double D) { return D == 0; });
+        return std::ranges::find(steps[at].derivatives, model::no_derivative) != steps[at].derivatives.end();
     };
     std::size_t before = row, after = row;
     while (before > 0 && has_none(before)) --before;

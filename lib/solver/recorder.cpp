@@ -62,7 +62,7 @@ void Recorder::append(PathState& path, PathPoint& point) {
             step.energies->dissipated_J.value_or(0.0) + path.dissipated_J / system.input().model_fraction;
     if (frequencies_) step.frequencies_Hz = frequencies_->evaluate(point.state.x, point.levels);
     if (sensitivities_ != nullptr) sensitivities_->evaluate(corrector_, path, point, step);
-    if (point.is_singular) std::ranges::fill(step.derivatives, 0.0);
+    if (point.is_singular) std::ranges::fill(step.derivatives, model::no_derivative);
     path.stretch_p99 = step.stretch_p99;
     path.visited.push_back(visited_state(point, direction));
     ++path.rows;

@@ -85,5 +85,4 @@ refuses 65 "*material.viscoelastic.times: 1 times for 2 moduli; write one time f
 refuses 65 "*path.stages.stretch.time: a stage with a time ends with it, not where elongation is reached; omit until, or the time" \
     "$bar --set path.until.elongation=3mm"
 refuses 65 "*material.law: the law linear-elastic has no isochoric energy*" "$bar --set material.law=linear-elastic --set material.kappa=1MPa"
-refuses 65 "*no sensitivities*" "$bar --sensitivity material.mu"
 refuses 65 "*path.repeat: the path has no stages that could be repeated*" 'mesh-gen -q designs/tube.yaml --set path.repeat=2'

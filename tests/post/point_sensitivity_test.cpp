@@ -63,7 +63,7 @@ TEST(PointSensitivity, IsInterpolatedBetweenTheRows) {
 
 TEST(PointSensitivity, AtABifurcationIsThatBetweenTheRowsBesideIt) {
     TwoOutputs path;
-    path.steps[1].derivatives = {0, 0, 0};
+    path.steps[1].derivatives = std::vector(3, model::no_derivative);
     EXPECT_NEAR(path.at(20, load, first), f * 0.02, 1e-6 * f * 0.02);
 }
 
