@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# shellcheck disable=SC2016  # awk expands its own variables
 # Derivatives of paths in time and of inelastic rubber against differences of whole runs; constants found from curves and tests in time.
 #   inelastic_fits.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
