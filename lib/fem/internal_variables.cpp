@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace soft::fem {
 
@@ -26,8 +27,10 @@ InternalVariables::InternalVariables(const Discretization& fe) : fe_(fe), index_
         if (inelastic == nullptr) continue;
         const std::size_t size = material::history_size(*inelastic);
         index_[g] = static_cast<int>(groups_.size());
-        const std::vector virgin(cells.cells.size() * static_cast<std::size_t>(cells.reference->points) * size, 0.0);
-        groups_.push_back({&cells, inelastic, size, {}, virgin, virgin});
+        const std::size_t points = cells.cells.size() * static_cast<std::size_t>(cells.reference->points);
+        const std::vector virgin(points * size, 0.0);
+        groups_.push_back({&cells, inelastic, size, {}, virgin, virgin, {}});
+        groups_.back().overstress.resize(inelastic->moduli.empty() ? 0 : points);
     }
     for (const auto& rubber : fe.rubbers) {  // the same on every rank
         const material::Inelastic* inelastic = material::inelastic_of(rubber);
@@ -48,9 +51,15 @@ void InternalVariables::set_time(double time_s) {
     step_s_ = time_s - start_s_;
     if (step_s_ < -backwards * shortest_time_s_) step_s_ = 0;
     const double dt = clock_ == Clock::runs ? step_s_ : std::numeric_limits<double>::infinity();
-    for (Group& group : groups_)
+    if (prepared_for_s_ == dt) return;
+    prepared_for_s_ = dt;
+    for (Group& group : groups_) {
         group.step = clock_ == Clock::is_infinitely_fast ? material::instantaneous_coefficients(*group.inelastic)
                                                          : material::step_coefficients(*group.inelastic, dt);
+        for (std::size_t i = 0; i < group.overstress.size(); ++i)
+            group.overstress[i] =
+                material::overstress(*group.inelastic, group.step, at_point(std::as_const(group.values), group, i));
+    }
 }
 
 const InternalVariables::Group* InternalVariables::find(const CellGroup& group) const {
@@ -58,8 +67,8 @@ const InternalVariables::Group* InternalVariables::find(const CellGroup& group) 
     return index < 0 ? nullptr : &groups_[static_cast<std::size_t>(index)];
 }
 
-std::size_t InternalVariables::offset(const Group& group, const PointLocation& at) const {
-    return (at.cell * static_cast<std::size_t>(group.cells->reference->points) + at.point) * group.size;
+std::size_t InternalVariables::index_of(const Group& group, const PointLocation& at) {
+    return at.cell * static_cast<std::size_t>(group.cells->reference->points) + at.point;
 }
 
 bool InternalVariables::read(const CellGroup& cells, std::size_t cell, material::StepMemory& memory) const {
@@ -69,23 +78,23 @@ bool InternalVariables::read(const CellGroup& cells, std::size_t cell, material:
     const auto points = static_cast<std::size_t>(cells.reference->points);
     memory.factor = group->step.factor;
     memory.softening = inelastic.softening ? &*inelastic.softening : nullptr;
-    memory.W_max.resize(points);
-    memory.overstress.resize(inelastic.moduli.empty() ? 0 : points);
-    for (std::size_t q = 0; q < points; ++q)
-        material::remember(inelastic, group->step, values_at(*group, {cells, cell, q}), static_cast<int>(q), memory);
+    memory.W_max.resize(memory.softening == nullptr ? 0 : points);
+    memory.overstress.resize(group->overstress.empty() ? 0 : points);
+    const std::size_t first = index_of(*group, {cells, cell, 0});
+    for (std::size_t q = 0; q < memory.W_max.size(); ++q)
+        memory.W_max[q] = material::largest_energy(at_point(group->values, *group, first + q));
+    if (!group->overstress.empty())
+        std::copy_n(group->overstress.begin() + static_cast<std::ptrdiff_t>(first), points, memory.overstress.begin());
     return true;
-}
-
-std::span<const double> InternalVariables::values_at(const Group& group, const PointLocation& at) const {
-    return std::span(group.values).subspan(offset(group, at), group.size);
 }
 
 material::PointStep InternalVariables::step_at(const PointLocation& at, const PointState& point) {
     const Group* found = find(at.group);
     if (found == nullptr) return {};
     Group& group = groups_[static_cast<std::size_t>(found - groups_.data())];
-    return material::advance(*at.group.rubber, group.step, {step_s_, last_step_s_}, point.F_law, values_at(group, at),
-                             std::span(group.next).subspan(offset(group, at), group.size));
+    const std::size_t index = index_of(group, at);
+    return material::advance(*at.group.rubber, group.step, {step_s_, last_step_s_}, point.F_law,
+                             at_point(std::as_const(group.values), group, index), at_point(group.next, group, index));
 }
 
 void InternalVariables::accept(double dissipated_J) {
@@ -95,6 +104,7 @@ void InternalVariables::accept(double dissipated_J) {
     ++accepted_;
     last_step_s_ = step_s_;
     start_s_ = time_s_;
+    prepared_for_s_.reset();
     set_time(start_s_);
 }
 
@@ -139,6 +149,7 @@ bool InternalVariables::restore(std::span<const double> values) {
         std::copy_n(from, group.values.size(), group.values.begin());
         from += static_cast<std::ptrdiff_t>(group.values.size());
     }
+    prepared_for_s_.reset();
     set_time(start_s_);
     return true;
 }

@@ -64,10 +64,15 @@ private:
         std::size_t size;  ///< numbers per point
         material::StepCoefficients step;
         std::vector<double> values, next;  ///< [cell][point][size]: at the start and at the end of the step
+        std::vector<material::SymmetricTensor> overstress;  ///< [cell][point] H of the step
     };
     [[nodiscard]] const Group* find(const CellGroup& group) const;
-    [[nodiscard]] std::size_t offset(const Group& group, const PointLocation& at) const;
-    [[nodiscard]] std::span<const double> values_at(const Group& group, const PointLocation& at) const;
+    [[nodiscard]] static std::size_t index_of(const Group& group, const PointLocation& at);
+    /// The list of a point.
+    template <class List>
+    [[nodiscard]] static auto at_point(List& list, const Group& group, std::size_t point) {
+        return std::span(list).subspan(point * group.size, group.size);
+    }
 
     const Discretization& fe_;
     std::vector<Group> groups_;  // of inelastic materials
@@ -78,6 +83,7 @@ private:
     double start_s_ = 0, time_s_ = 0, step_s_ = 0, last_step_s_ = 0;
     std::int64_t accepted_ = 0;
     double dissipated_J_ = 0, largest_stress2_ = 0;
+    std::optional<double> prepared_for_s_;  // length of the step of the groups' coefficients and overstresses
 };
 
 }  // namespace soft::fem

@@ -24,16 +24,15 @@ std::size_t history_size(const Inelastic& inelastic) {
     return inelastic.moduli.empty() ? 1 : overstress_at + components * inelastic.moduli.size();
 }
 
-void remember(const Inelastic& inelastic, const StepCoefficients& step, std::span<const double> history, int point,
-              StepMemory& memory) {
-    const auto q = static_cast<std::size_t>(point);
-    memory.W_max[q] = history[energy_at];
-    if (inelastic.moduli.empty()) return;
-    SymmetricTensor& H = memory.overstress[q] = {};
+double largest_energy(std::span<const double> history) { return history[energy_at]; }
+
+SymmetricTensor overstress(const Inelastic& inelastic, const StepCoefficients& step, std::span<const double> history) {
+    SymmetricTensor H{};
     for (std::size_t i = 0; i < inelastic.moduli.size(); ++i)
         for (std::size_t c = 0; c < components; ++c)
             H[c] +=
                 step.decay[i] * history[overstress_at + components * i + c] - step.share[i] * history[stress_at + c];
+    return H;
 }
 
 PointStep advance(const AnyRubber& rubber, const StepCoefficients& step, const StepTimes& times, const Tensor& F,

@@ -10,9 +10,11 @@ namespace soft::material {
 /// Length of the list.
 [[nodiscard]] std::size_t history_size(const Inelastic& inelastic);
 
-/// Fills the part of a point in a step's memory from its list.
-void remember(const Inelastic& inelastic, const StepCoefficients& step, std::span<const double> history, int point,
-              StepMemory& memory);
+/// The largest energy W so far.
+[[nodiscard]] double largest_energy(std::span<const double> history);
+/// H of a step; 0 without viscoelasticity.
+[[nodiscard]] SymmetricTensor overstress(const Inelastic& inelastic, const StepCoefficients& step,
+                                         std::span<const double> history);
 
 /// Lengths of the step and of the one before; 0 where they are not known or not finite.
 struct StepTimes {

@@ -124,6 +124,21 @@ TEST(MaterialLibrary, OtherKeysCanBeGivenWithTheNameAndOverridden) {
     EXPECT_EQ(read(changed.effective_yaml).effective_yaml, changed.effective_yaml);
 }
 
+TEST(MaterialLibrary, AnEntryMayHaveViscousConstants) {
+    const MaterialFile file{"known", "sets:\n  - range: 100 %\n    law: yeoh\n    c1: 20 kPa\n    kappa: incompressible\n"
+                                     "    viscoelastic: {moduli: [0.2, 0.1], times: [0.5 s, 10 s]}\n"
+                                     "    softening: {r: 2, m: 10 kPa}\n    fit: {max_I1: 4, source: a test}\n"};
+    Node root = parse_yaml(pipe_of("none"), "pipe.yaml");
+    put(root, "material", material_sets(file).front().block);
+    const Design of_entry = read(write_yaml(root));
+    ASSERT_TRUE(of_entry.material.inelastic);
+    EXPECT_EQ(of_entry.material.inelastic->times_s, (std::vector<double>{0.5, 10}));
+    EXPECT_EQ(of_entry.material.inelastic->softening->m_Pa, 10e3);
+    const Design by_name = read(pipe_of("{name: dragon-skin-20, viscoelastic: {moduli: 0.2, times: 3 s}}"));
+    ASSERT_TRUE(by_name.material.inelastic);
+    EXPECT_EQ(by_name.material.inelastic->moduli, std::vector<double>{0.2});
+}
+
 TEST(MaterialLibrary, SolveCanSelectAnotherSet) {
     const Design design = read(pipe_of("dragon-skin-20"));
     const Override overrides[] = {{"material", "{name: dragon-skin-20, range: 110 %}"}};

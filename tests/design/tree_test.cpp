@@ -97,4 +97,13 @@ TEST(Tree, PutCreatesMissingGroupsButDoesNotReplaceAValue) {
     EXPECT_THROW(put(root, "material.mu", scalar_node("1 kPa", "--set material.mu")), soft::Error);
 }
 
+TEST(Tree, PutReplacesOneValueOfAList) {
+    Node root = parse_yaml("material: {mu: [1 kPa, 2 kPa], times: 3 s}\n", "f");
+    put(root, "material.mu.2", scalar_node("5 kPa", "here"));
+    EXPECT_EQ(find_path(root, "material.mu")->items.at(0).text, "1 kPa");
+    EXPECT_EQ(find_path(root, "material.mu")->items.at(1).text, "5 kPa");
+    for (const char* path : {"material.mu.0", "material.mu.3", "material.mu.x", "material.mu.1.x", "material.times.1"})
+        EXPECT_THROW(put(root, path, scalar_node("1 kPa", "here")), soft::Error) << path;
+}
+
 }  // namespace
