@@ -16,8 +16,7 @@ namespace {
 
 /// Option values as text, before conversion.
 struct Words {
-    std::string input, law, range, strain, stress, weights = "uniform", stability = "enforced", decimal,
-                       delimiter;
+    std::string input, law, range, strain, stress, weights = "uniform", stability = "enforced", decimal, delimiter;
     std::map<fit::Mode, std::vector<std::string>> files;
     std::vector<std::string> mode_weights;
     std::string weight_floor, gauge_length, area, width, thickness;
@@ -150,8 +149,7 @@ void apply(const Words& words, FitOptions& options) {
         if (!options.in_time())
             throw Error(ExitCode::usage, "--elastic", "has no effect without --viscoelastic or --softening", "omit it");
         if (options.rank) throw Error(ExitCode::usage, "--rank", "has no effect with --elastic", "omit one of them");
-        if (!words.law.empty())
-            throw Error(ExitCode::usage, "--law", "is stated by --elastic too", "omit one of them");
+        if (!words.law.empty()) throw Error(ExitCode::usage, "--law", "is stated by --elastic too", "omit one of them");
         options.history.elastic = elastic_law(words.elastic);
     }
     options.reading.wants_time = options.in_time();
@@ -227,9 +225,10 @@ void add_fit_options(CLI::App& app, Words& words, FitOptions& options) {
         ->type_name("N");
     app.add_flag("--softening", options.history.softening,
                  "Fit Ogden-Roxburgh softening with the law, to tests with cycles and a time column");
-    app.add_option("--elastic", words.elastic,
-                   "With --viscoelastic or --softening: keep the constants of this law, a material file or a silicone of "
-                   "the library, and fit the others")
+    app.add_option(
+           "--elastic", words.elastic,
+           "With --viscoelastic or --softening: keep the constants of this law, a material file or a silicone of "
+           "the library, and fit the others")
         ->type_name("MATERIAL");
     app.add_flag("--rank", options.rank, "Fit all laws and print a table, best first, instead of a material");
     app.add_option("--range", words.range, "Range of engineering strain to fit, e.g. 0:110% or :3")

@@ -85,9 +85,10 @@ Task read_task(const SolveOptions& options, int rank) {
         task.changed = task.from.changed_design;
         if (!task.from.file.model.parameters.empty()) {
             if (task.from.checkpoint && (task.from.checkpoint->stage > 0 || !task.from.checkpoint->internal.empty()))
-                throw Error(ExitCode::bad_input, task.input.source,
-                            "a run with sensitivities cannot be resumed after its first stage, or with inelastic rubber",
-                            "solve the case again");
+                throw Error(
+                    ExitCode::bad_input, task.input.source,
+                    "a run with sensitivities cannot be resumed after its first stage, or with inelastic rubber",
+                    "solve the case again");
             std::optional<io::DesignText> ignored;
             const auto sets = task.changed ? task.changed->overrides : std::vector<std::string>{};
             task.from.file.variations = read_changed_case(task.input, sets, ignored).variations;

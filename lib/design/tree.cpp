@@ -262,10 +262,11 @@ void put(Node& root, std::string_view path, Node value) {
             const auto index = core::parse_count(key);
             const auto* number = std::get_if<long>(&index);
             const auto size = static_cast<long>(node->items.size());
-            if (number == nullptr || *number < 1 || *number > size)
-                refuse(location, path, core::quoted(done) + " is a list of " + core::counted(static_cast<int>(size), "value"),
-                       "write " + done + ".1" + (size > 1 ? " to ." + std::to_string(size) : "") + ", or all of it: " + done +
-                           "=[...]");
+            if (number == nullptr || *number < 1 || *number > size || key.front() == '0')
+                refuse(location, path,
+                       core::quoted(done) + " is a list of " + core::counted(static_cast<int>(size), "value"),
+                       "write " + done + ".1" + (size > 1 ? " to ." + std::to_string(size) : "") +
+                           ", or all of it: " + done + "=[...]");
             node->items[static_cast<std::size_t>(*number) - 1] = std::move(value);
             return;
         }

@@ -82,7 +82,7 @@ bool InternalVariables::read(const CellGroup& cells, std::size_t cell, material:
     memory.overstress.resize(group->overstress.empty() ? 0 : points);
     const std::size_t first = index_of(*group, {cells, cell, 0});
     for (std::size_t q = 0; q < memory.W_max.size(); ++q)
-        memory.W_max[q] = material::largest_energy(at_point(group->values, *group, first + q));
+        memory.W_max[q] = (1.0 - margin_) * material::largest_energy(at_point(group->values, *group, first + q));
     if (!group->overstress.empty())
         std::copy_n(group->overstress.begin() + static_cast<std::ptrdiff_t>(first), points, memory.overstress.begin());
     return true;

@@ -34,6 +34,10 @@ public:
     /// Of the state accepted last.
     [[nodiscard]] double start_time_s() const noexcept { return start_s_; }
 
+    /// Points whose energy W is below the largest one by less than this share of it count as being loaded, so that their tangent does not
+    /// depend on rounding: for derivatives of states that return to where they were. Does not affect step_at.
+    void set_margin(double share) noexcept { margin_ = share; }
+
     /// Fills what the step needs at the points of a cell; false for an elastic cell.
     bool read(const CellGroup& group, std::size_t cell, material::StepMemory& memory) const;
     /// The step at a point of a trial state.
@@ -79,7 +83,7 @@ private:
     std::vector<int> index_;     // by group of cells: in groups_, or -1
     enum class Clock { runs, is_infinitely_slow, is_infinitely_fast } clock_;
     bool is_empty_ = true, soften_ = false;
-    double shortest_time_s_ = 0;
+    double shortest_time_s_ = 0, margin_ = 0;
     double start_s_ = 0, time_s_ = 0, step_s_ = 0, last_step_s_ = 0;
     std::int64_t accepted_ = 0;
     double dissipated_J_ = 0, largest_stress2_ = 0;

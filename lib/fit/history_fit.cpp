@@ -215,7 +215,8 @@ Unknowns start_of(const Fit& elastic, const std::vector<TestCurve>& tests, const
     for (const Constant& constant : elastic.list) {
         const bool is_term =
             elastic.candidate.law == "ogden" || !constant.is_stress;  // its sign belongs to the exponent
-        const bool starts_small = !settings.elastic && !is_term && (keeps_signs ? constant.value : std::abs(constant.value)) < small * size;
+        const bool starts_small =
+            !settings.elastic && !is_term && (keeps_signs ? constant.value : std::abs(constant.value)) < small * size;
         unknowns.scale.push_back(starts_small ? small * size : constant.value);
         unknowns.add(1.0, keeps_signs || is_term ? 0.0 : -far, far);
     }
@@ -304,7 +305,8 @@ void add_covariance(const Searched& found, Fit& fit) {
     const std::size_t n = found.unknowns.size();
     std::vector<Eigen::Index> free;
     for (std::size_t i = 0; i < n; ++i)
-        if (i >= found.unknowns.given() && !is_at_bound(found.unknowns, i)) free.push_back(static_cast<Eigen::Index>(i));
+        if (i >= found.unknowns.given() && !is_at_bound(found.unknowns, i))
+            free.push_back(static_cast<Eigen::Index>(i));
     fit.covariance.assign(n * n, 0.0);
     if (free.empty()) return;
     Eigen::MatrixXd J = found.jacobian(Eigen::all, free);
@@ -397,10 +399,10 @@ Fit fit_history(const Candidate& candidate, const std::vector<TestCurve>& tests,
             Unknowns start = start_of(elastic, tests, history, settings.stability, factor, r);
             const std::size_t fitted = start.size() - start.given();
             if (fitted + 1 >= weights.size())
-                throw Error(ExitCode::bad_input, tests.front().source,
-                            std::to_string(weights.size()) + " rows are too few for " + std::to_string(fitted) +
-                                " constants",
-                            "give more rows, or fewer Maxwell elements");
+                throw Error(
+                    ExitCode::bad_input, tests.front().source,
+                    std::to_string(weights.size()) + " rows are too few for " + std::to_string(fitted) + " constants",
+                    "give more rows, or fewer Maxwell elements");
             Searched found = search(std::move(start), tests, weights);
             if (!best || found.cost < best->cost) best = std::move(found);
         }
@@ -416,7 +418,12 @@ Fit fit_history(const Candidate& candidate, const std::vector<TestCurve>& tests,
     add_covariance(*best, fit);
     add_constants(*best, elastic, fit);
     const auto rubber = best->unknowns.rubber(best->unknowns.value.data());
-    for (const TestCurve& test : tests) fit.predicted_Pa.push_back(stress_of_test(rubber.value(), test));
+    for (const TestCurve& test : tests) {
+        fit.predicted_Pa.push_back(stress_of_test(rubber.value(), test));
+        if (!std::ranges::all_of(fit.predicted_Pa.back(), [](double stress) { return std::isfinite(stress); }))
+            throw Error(ExitCode::bad_input, test.source, "the law has no finite stress at the stretches of the test",
+                        "choose another law, or limit --range");
+    }
     add_row_errors(tests, {best->residual.squaredNorm(), best->unknowns.size() - best->unknowns.given() + 1}, fit);
     add_stability(false, fit);
     for (std::size_t i = best->unknowns.given(); i < best->unknowns.size(); ++i)

@@ -122,8 +122,9 @@ Variations make_variations(const design::Design& design, const Built& built, std
                            std::string_view source) {
     require_differentiable(built.model);
     Variations result;
-    for (const std::string& key : keys) {
-        if (key == all) continue;
+    for (auto at = keys.begin(); at != keys.end(); ++at) {
+        const std::string& key = *at;
+        if (key == all || std::find(keys.begin(), at, key) != at) continue;
         const auto found = std::ranges::find(design.parameters, key, &model::DesignParameter::key);
         if (found == design.parameters.end()) {
             std::vector<std::string> known{std::string{all}};

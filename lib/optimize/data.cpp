@@ -31,8 +31,9 @@ const post::Column* usual_position(const post::Measured& measured, const post::C
         return std::ranges::is_sorted(values, std::less_equal<>()) ||
                std::ranges::is_sorted(values, std::greater_equal<>());
     };
-    const post::Column* load = columns.find(post::Source::load);
-    for (const post::Source source : {post::Source::time, post::Source::load, post::Source::output})
+    const post::Column *load = columns.find(post::Source::load), *time = columns.find(post::Source::time);
+    if (time != nullptr && measured.find(columns.index_of(*time)) != nullptr) return time;
+    for (const post::Source source : {post::Source::load, post::Source::output})
         for (const post::Series& series : measured.series)
             if (const post::Column& column = columns.columns[series.column];
                 column.source == source && changes_in_one_direction(series.values))
@@ -53,8 +54,7 @@ double bound_of(const std::string& text, const post::Column& at, double otherwis
 
 }  // namespace
 
-void add_rows(Goal& goal, std::size_t index, const core::Table& table, const post::Curve& columns,
-              LoadIs load) {
+void add_rows(Goal& goal, std::size_t index, const core::Table& table, const post::Curve& columns, LoadIs load) {
     MeasuredCurve& curve = goal.curves[index];
     const post::Measured measured = post::read_measured(table, columns, post::parse_column_choices(curve.columns));
     const post::Column* at = curve.at.empty() ? usual_position(measured, columns) : columns.find(curve.at);

@@ -93,6 +93,9 @@ public:
         if (at.index && *at.index > solved.model.outputs.size())
             throw does_not_fit(measure.text, "`at` needs the load, an output or the time",
                                "write for example at: {pressure: 20 kPa}");
+        if (!measure.at_text.empty())  // rows of data have no text of their own
+            static_cast<void>(
+                core::quantity_or_throw(measure.at_text, at.column->dimension, ExitCode::bad_input, measure.text));
         shown_ = curve_.index_of(*curve_.find(measure.quantity));
         at_ = curve_.index_of(*curve_.find(measure.at));
         first_derivative_ = curve_.columns.size();
@@ -281,10 +284,16 @@ void add_run(const Goal& goal, std::size_t index, const Base& base, const std::v
     constexpr double never = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < goal.conditions.size(); ++i) {
         const Condition& condition = goal.conditions[i];
-        if (condition.measure.run == index)
-            trial.conditions[i] = measured(
-                condition.measure, condition.relation == Condition::Relation::above ? condition.value_SI : never,
-                condition.is_data ? std::optional(condition.value_SI) : std::nullopt);
+        if (condition.measure.run != index) continue;
+        trial.conditions[i] =
+            measured(condition.measure, condition.relation == Condition::Relation::above ? condition.value_SI : never,
+                     condition.is_data ? std::optional(condition.value_SI) : std::nullopt);
+        const Measure::Kind kind = condition.measure.kind;
+        const bool is_of_path = kind == Measure::Kind::curve || kind == Measure::Kind::limit;
+        if (is_of_path && !condition.curve)  // that of a file has been read in the unit of its column
+            static_cast<void>(core::quantity_or_throw(condition.value_text,
+                                                      path->curve.find(condition.measure.quantity)->dimension,
+                                                      ExitCode::bad_input, condition.measure.text));
     }
     if (goal.minimize && index == 0) trial.objective = measured(*goal.minimize, never, std::nullopt);
     if (!needs_path) return;

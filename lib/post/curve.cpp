@@ -239,7 +239,12 @@ void add_derivatives(std::vector<Entry>& entries, const model::Case& model, std:
     const Scale of_load{load.unit, load.SI_per_unit},
         of_output{std::string{output_unit.suffix}, output_unit.SI_per_unit};
     const bool is_timed = model::is_timed(model);
-    const auto stiffness = [](const Step& step) { return step.tangent_pressure / step.tangent_outputs[0]; };
+    // The row of a stage in which nothing changes has no direction: that of the row before.
+    const auto stiffness = [steps](const Step& step) {
+        auto row = static_cast<std::size_t>(&step - steps.data());
+        while (row > 0 && steps[row].tangent_pressure == 0 && steps[row].tangent_outputs[0] == 0) --row;
+        return steps[row].tangent_pressure / steps[row].tangent_outputs[0];
+    };
     if (!is_timed)
         add("stiffness", of_load, of_output, "slope of the load over the first output along the path",
             [=](const Step& step) { return step.tangent_outputs.empty() ? std::nullopt : Value(stiffness(step)); });

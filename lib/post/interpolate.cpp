@@ -127,9 +127,10 @@ std::vector<double> Hermite::monotone_pieces() const {
 namespace {
 
 /// Speeds for a motion: slopes are time derivatives, so the speed at a row is the norm of its slopes times the duration.
-Speeds motion_speeds(const Metric& metric, const Column& time, std::size_t row_a, std::size_t row_b) {
+Speeds motion_speeds(const Metric& metric, const Column& time, std::size_t row_a, std::size_t row_b, bool enters) {
     const double duration = time.values[row_b] - time.values[row_a];
-    return {metric.norm(row_a) * duration, metric.norm(row_b) * duration};
+    return {metric.norm(row_a) * duration, metric.norm(row_b) * duration,
+            enters ? Speeds::Directions::second : Speeds::Directions::both};
 }
 
 /// Fraction of the chord that the path has covered in an interval, a cubic of t like the coordinates.
@@ -187,7 +188,7 @@ Path::Path(const Curve& curve) : curve_(&curve) {
     for (std::size_t row = 1; row < curve.row_count(); ++row) {
         const std::size_t before = rows_.back();
         const bool enters = stage != nullptr && stage->values[row] != stage->values[before];
-        const Speeds next = time != nullptr ? motion_speeds(metric, *time, before, row)
+        const Speeds next = time != nullptr ? motion_speeds(metric, *time, before, row, enters)
                             : enters        ? first_speeds(metric, before, row)
                                             : interval_speeds(metric, before, row);
         if (!(next.start + next.end > 0)) continue;
@@ -216,6 +217,8 @@ Path::Path(const Curve& curve) : curve_(&curve) {
             if (!known) {
                 end = speeds[i].directions == Speeds::Directions::second ? end : difference;
                 start = 2 * difference - end;
+                const bool turns = start * difference < 0 || end * difference < 0;
+                if (time != nullptr && turns) start = end = difference;
             }
             pieces.push_back({q[i], q[i + 1], start, end});
         }

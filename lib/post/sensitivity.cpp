@@ -31,7 +31,8 @@ const Column& leading_of(const Curve& curve, const model::Case& model) {
 std::string sensitivity_csv(const Curve& table, const model::Case& model, std::span<const int> limit_rows) {
     const Column *load = table.find(Source::load), *output = table.find(Source::output);
     const Column &step = *table.find("step"), *stiffness = table.find("stiffness");
-    std::string text = "step," + load->name + "," + output->name +
+    const Column* time = table.find(Source::time);
+    std::string text = "step," + (time == nullptr ? "" : time->name + ",") + load->name + "," + output->name +
                        ",parameter,value,unit,d_load,d_output,d_load_percent,d_output_percent\n";
     for (std::size_t row = 0; row < table.row_count(); ++row)
         for (const model::DesignParameter& parameter : model.parameters) {
@@ -41,8 +42,9 @@ std::string sensitivity_csv(const Curve& table, const model::Case& model, std::s
             const double d_output = stiffness == nullptr ? derivative_of(table, *output, parameter).values[row]
                                     : is_limit           ? std::numeric_limits<double>::quiet_NaN()
                                                          : -d_load / stiffness->values[row];
-            text += core::number_text(step.values[row]) + "," + cell(load->values[row]) + "," +
-                    cell(output->values[row]) + "," + parameter.key + "," + cell(value) + "," + parameter.unit;
+            text += core::number_text(step.values[row]) + "," + (time == nullptr ? "" : cell(time->values[row]) + ",") +
+                    cell(load->values[row]) + "," + cell(output->values[row]) + "," + parameter.key + "," +
+                    cell(value) + "," + parameter.unit;
             for (const double number :
                  {d_load, d_output, d_load * value / load->values[row], d_output * value / output->values[row]})
                 text += "," + cell(number);
@@ -109,6 +111,9 @@ Deviations parse_tolerances(std::span<const std::string> texts, const model::Cas
             throw Error(ExitCode::usage, option, "the result has no sensitivity to this number",
                         known.empty() ? "name it in mesh-gen --sensitivity" : core::did_you_mean(key, known));
         }
+        if (std::ranges::find(tolerances.parameters, static_cast<std::size_t>(found - model.parameters.begin())) !=
+            tolerances.parameters.end())
+            throw Error(ExitCode::usage, option, "the tolerance of this number is given twice", "omit one of them");
         const bool is_share = core::quantity_parts(given).unit == "%";
         const auto dimension = is_share || found->unit.empty()
                                    ? core::Dimension::ratio

@@ -18,7 +18,7 @@
 namespace soft::post {
 
 /// The table in long form: one line for each row of `table` and each parameter of the case:
-///   step,<load>,<first output>,parameter,value,unit,d_load,d_output,d_load_percent,d_output_percent
+///   step,<load>,<first output>,parameter,value,unit,d_load,d_output,d_load_percent,d_output_percent      (in time step,time_s,...)
 /// derivatives in the units of the columns per `unit`, and in percent per percent. A cell is empty where the derivative does not exist:
 /// d_output at the rows `limit_rows`, percentages of 0.
 [[nodiscard]] std::string sensitivity_csv(const Curve& table, const model::Case& model,

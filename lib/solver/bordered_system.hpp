@@ -43,6 +43,8 @@ public:
     [[nodiscard]] fem::Evaluation evaluate_at(const State& state, Assemble what = Assemble::tangent);
     /// Whether the columns' forces and K were assembled at exactly this state.
     [[nodiscard]] bool is_assembled_at(const State& state) const;
+    /// For changes of the system that no state shows.
+    void forget_assembly() { assembled_at_.reset(); }
     /// Adds to -dR/dlambda, at the state last evaluated, what the internal variables change in time. Overwrites R.
     void add_time_force(const State& state);
     /// Change of R when the unknowns change in their last digits. Overwrites R.

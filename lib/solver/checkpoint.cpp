@@ -8,6 +8,9 @@ namespace soft::solver {
 
 namespace {
 
+/// Internal variables are many times the size of a row: writing them after each one cost 5 % of a cyclic bellows.
+constexpr int rows_between_large_checkpoints = 10;
+
 model::StatePoint stored_point(const PathPoint& point) {
     return {linalg::gather(point.state.x),
             linalg::gather(point.tangent.x),
@@ -71,8 +74,11 @@ PathPoint restored_point(const model::StatePoint& stored, fem::System& system, c
 
 }  // namespace
 
-void Recorder::keep_checkpoint(const PathState& path) const {
+void Recorder::keep_checkpoint(const PathState& path) {
     if (!listeners_.checkpoint) return;
+    const bool is_large = !corrector_.system().internal().is_empty();
+    if (is_large && checkpoint_rows_ > 0 && path.rows - checkpoint_rows_ < rows_between_large_checkpoints) return;
+    checkpoint_rows_ = path.rows;
     model::Checkpoint checkpoint;
     MPI_Comm_size(corrector_.system().comm(), &checkpoint.ranks);
     checkpoint.rows = path.rows;

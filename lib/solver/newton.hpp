@@ -87,6 +87,7 @@ public:
         return bordered_.share_without_crossing(from, to);
     }
     void couple_contact(const State& state) { bordered_.couple_contact(state); }
+    void forget_assembly() { bordered_.forget_assembly(); }
     void set_drag(double drag, Vec origin) { bordered_.set_drag(drag, origin); }
 
     [[nodiscard]] int factorizations() const noexcept { return bordered_.linear.factorizations(); }

@@ -19,7 +19,8 @@ public:
     void accept_step();
 
     void report_control(const PathState& path) const;
-    void keep_checkpoint(const PathState& path) const;
+    /// After each row; with internal variables after the first one and every tenth from there.
+    void keep_checkpoint(const PathState& path);
 
     /// Counts from the checkpoint of an interrupted run on.
     void resume(const model::Checkpoint& from);
@@ -31,6 +32,7 @@ private:
     const Listeners& listeners_;
     std::optional<NaturalFrequencies> frequencies_;  // of every row
     Sensitivities* sensitivities_;
+    int checkpoint_rows_ = 0;    // at the last checkpoint
     WorkCount at_row_, before_;  // at the last row; of the interrupted run
 };
 

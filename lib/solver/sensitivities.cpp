@@ -18,6 +18,10 @@ constexpr double small_change = 2e-6;
 /// Corrections of a derivative at the moved states, and the relative correction after which none follows.
 constexpr int max_passes = 4;
 constexpr double accurate_pass = 1e-5;
+/// Share of the largest energy by which softened rubber may be unloaded and still counts as loaded. Where a state returns, the moved states
+/// return too: both branches have the same derivative, but rounding must not mix them. For the tangent, and for the systems between which a
+/// derivative is a difference, over their relative change.
+constexpr double loading_margin = 3e-5, margin_by_change = 20;
 /// Of the value that a goal prescribes.
 constexpr double goal_tolerance = 1e-6;
 
@@ -87,14 +91,16 @@ struct Sensitivities::Parameter {
         std::optional<StageLoads> loads = {};
     };
     std::array<Varied, 2> varied;
-    bool is_rough = false;        ///< a difference to one side is not accurate enough
+    double margin = 0;                          ///< for loading, see loading_margin
+    bool is_rough = false;                      ///< a difference to one side is not accurate enough
     std::array<std::optional<State>, 2> moved;  ///< with internal variables, the states of both systems at the row
-    StageStart start_slope = {};  ///< derivative of the start of the next stage
+    StageStart start_slope = {};                ///< derivative of the start of the next stage
 
     [[nodiscard]] Side side(std::size_t which, const PathState& path, const PathPoint& point, const fem::System& base) {
         Varied& at = varied[which];
         if (!at.system) {
             at.system = std::make_unique<fem::System>(*at.input, base.comm(), base.dofs().cell_rank);
+            at.system->internal().set_margin(margin);
             at.undeformed_volumes_m3 = solver::undeformed_volumes_m3(*at.system);
         }
         if (at.stage != path.stage) {
@@ -121,6 +127,8 @@ Sensitivities::Sensitivities(const fem::System& base, std::span<const std::array
         parameters_.emplace_back();
         parameters_.back().varied[0] = {.change = of.lower - of.value, .input = &variations[i][0]};
         parameters_.back().is_rough = is_stiff || of.higher - of.value > small_change * std::abs(of.value);
+        parameters_.back().margin =
+            margin_by_change * std::max(of.value - of.lower, of.higher - of.value) / std::abs(of.value);
         parameters_.back().varied[1] = {.change = of.higher - of.value, .input = &variations[i][1]};
     }
 }
@@ -161,68 +169,84 @@ void Sensitivities::correct_at_moved_states(Newton& newton, const State& state, 
     }
 }
 
+PathPoint Sensitivities::moved_point(const Side& side, const PathPoint& point, const PathTangent& direction) {
+    const std::size_t supplies = point.state.pressures_Pa.size();
+    PathPoint at{moved(point.state, side.change, direction),
+                 {linalg::duplicate(point.state.x), 0, std::vector(supplies, 0.0), {}, 0}};
+    SOFT_PETSC(VecZeroEntries(at.tangent.x));
+    read_values(*side.system, *side.loads, &point, at);
+    return at;
+}
+
+void Sensitivities::move_to_goal(const Goal& goal, const PathPoint& point, const Side& lower, const Side& higher,
+                                 PathTangent& direction) {
+    const double by_parameter = (value_of(goal.constraint, moved_point(higher, point, direction)) -
+                                 value_of(goal.constraint, moved_point(lower, point, direction))) /
+                                (higher.change - lower.change);
+    const double back = -by_parameter / slope_of(goal.constraint, point);
+    linalg::add(direction.x, back, point.tangent.x);
+    direction.load_factor += back * point.tangent.load_factor;
+    for (std::size_t k = 0; k < direction.pressures.size(); ++k)
+        direction.pressures[k] += back * point.tangent.pressures[k];
+}
+
 void Sensitivities::evaluate(Corrector& corrector, const PathState& path, const PathPoint& point, model::Step& step) {
+    if (!path.loads->changes()) {  // the same state again
+        step.derivatives = last_;
+        return;
+    }
     const Corrector::Memory memory = corrector.memory();
     Newton& newton = corrector.newton();
-    const bool in_time = corrector.input().path.stages[static_cast<std::size_t>(path.stage)].time_s.has_value();
-    const Constraint along =
-        in_time ? Constraint{} : Constraint{ConstraintKind::arc, 0, point.state.x, point.tangent.x};
-    const bool has_memory = !base_.internal().is_empty();
+    const auto& stages = corrector.input().path.stages;
+    const bool in_time = stages[static_cast<std::size_t>(path.stage)].time_s.has_value(),
+               stage_follows = path.stage + 1 < static_cast<int>(stages.size()),
+               has_memory = !base_.internal().is_empty(), softens = base_.internal().soften();
+    const Goal* goal = stage_follows || softens ? reached_goal(path, point) : nullptr;
+    Constraint along{ConstraintKind::arc, 0, point.state.x, point.tangent.x};
+    if (in_time) along = {};
+    // A stage that loads softened rubber again may end where it ended before: beyond it the rubber is softer than before it.
+    else if (softens && goal != nullptr)
+        along = goal->constraint;
+    const auto set_margin = [&](double share) {
+        corrector.system().internal().set_margin(share);
+        if (softens) newton.forget_assembly();
+    };
+    set_margin(loading_margin);
     if (!newton.tangent(along, point.state)) throw singular("the tangent of a row is singular");
     Side base{0, &corrector.system(), &*path.loads};
     const End at_base = evaluate_at(base, point.state);
-    const bool stage_follows = path.stage + 1 < static_cast<int>(corrector.input().path.stages.size());
-    const Goal* goal = stage_follows ? reached_goal(path, point) : nullptr;
     for (Parameter& parameter : parameters_) {
         const bool to_higher = parameter.varied[1].change > 0;
         const bool is_central = point.touches || parameter.is_rough || !to_higher || has_memory;
         Side lower = is_central && parameter.varied[0].change < 0 ? parameter.side(0, path, point, base_) : base;
         Side higher = to_higher ? parameter.side(1, path, point, base_) : base;
         const double change = higher.change - lower.change;
-        const End before = lower.change < 0 ? evaluate_at(lower, point.state) : End{copy_of(at_base.R), at_base.equations};
-        const End after = higher.change > 0 ? evaluate_at(higher, point.state) : End{copy_of(at_base.R), at_base.equations};
+        const End before =
+            lower.change < 0 ? evaluate_at(lower, point.state) : End{copy_of(at_base.R), at_base.equations};
+        const End after =
+            higher.change > 0 ? evaluate_at(higher, point.state) : End{copy_of(at_base.R), at_base.equations};
         PathTangent moved_at = direction_between(newton, before, after, change);
-        if (base_.internal().soften()) correct_at_moved_states(newton, point.state, lower, higher, moved_at);
+        if (softens) correct_at_moved_states(newton, point.state, lower, higher, moved_at);
         const auto values = [&](const Side& side) {
             return values_at(*side.system, *side.loads, moved(point.state, side.change, moved_at), point, stretch_);
         };
         const auto slopes = quotient(values(higher), values(lower), change);
         step.derivatives.insert(step.derivatives.end(), slopes.begin(), slopes.end());
-        const auto remember = [&](const PathTangent& direction) {
-            for (std::size_t which = 0; has_memory && which < parameter.varied.size(); ++which)
-                if (parameter.varied[which].change != 0)
-                    parameter.moved[which] = moved(point.state, parameter.varied[which].change, direction);
-        };
-        if (goal == nullptr) {
-            remember(moved_at);
-            continue;
+        if (goal != nullptr && stage_follows) {  // the next stage starts where the quantity of the goal keeps its value
+            move_to_goal(*goal, point, lower, higher, moved_at);
+            const auto start = [&](const Side& side) {
+                return stage_start_at(side.system->input(), *side.loads, moved_point(side, point, moved_at));
+            };
+            parameter.start_slope = combine(start(higher), start(lower), [&](double after_it, double before_it) {
+                return (after_it - before_it) / change;
+            });
         }
-        // The next stage starts where the quantity of the goal keeps its value.
-        const auto moved_point = [&](const Side& side, const PathTangent& direction) {
-            const std::size_t supplies = point.state.pressures_Pa.size();
-            PathPoint at{moved(point.state, side.change, direction),
-                         {linalg::duplicate(point.state.x), 0, std::vector(supplies, 0.0), {}, 0}};
-            SOFT_PETSC(VecZeroEntries(at.tangent.x));
-            read_values(*side.system, *side.loads, &point, at);
-            return at;
-        };
-        PathTangent direction{copy_of(moved_at.x), moved_at.load_factor, moved_at.pressures, {}, 0};
-        const double by_parameter = (value_of(goal->constraint, moved_point(higher, direction)) -
-                                     value_of(goal->constraint, moved_point(lower, direction))) /
-                                    change;
-        const double back = -by_parameter / slope_of(goal->constraint, point);
-        linalg::add(direction.x, back, point.tangent.x);
-        direction.load_factor += back * point.tangent.load_factor;
-        for (std::size_t k = 0; k < direction.pressures.size(); ++k)
-            direction.pressures[k] += back * point.tangent.pressures[k];
-        remember(direction);
-        const auto start = [&](const Side& side) {
-            return stage_start_at(side.system->input(), *side.loads, moved_point(side, direction));
-        };
-        parameter.start_slope = combine(start(higher), start(lower), [&](double after_it, double before_it) {
-            return (after_it - before_it) / change;
-        });
+        for (std::size_t which = 0; has_memory && which < parameter.varied.size(); ++which)
+            if (parameter.varied[which].change != 0)
+                parameter.moved[which] = moved(point.state, parameter.varied[which].change, moved_at);
     }
+    last_ = step.derivatives;
+    set_margin(0);
     corrector.system().prescribe(point.levels);
     corrector.restore(memory);
 }

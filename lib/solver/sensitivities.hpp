@@ -50,10 +50,16 @@ private:
     /// a point may lie on either side, but the moved states lie on the side of the path.
     void correct_at_moved_states(Newton& newton, const State& state, Side& lower, Side& higher,
                                  PathTangent& direction) const;
+    /// The point of one of the systems that corresponds to a point of the path, with its values.
+    [[nodiscard]] static PathPoint moved_point(const Side& side, const PathPoint& point, const PathTangent& direction);
+    /// Changes the derivative of a state to that at a fixed value of a goal's quantity.
+    static void move_to_goal(const Goal& goal, const PathPoint& point, const Side& lower, const Side& higher,
+                             PathTangent& direction);
 
     const fem::System& base_;
     WithStretch stretch_;
     std::vector<Parameter> parameters_;
+    std::vector<double> last_;  // derivatives of the last row
 };
 
 }  // namespace soft::solver

@@ -41,11 +41,14 @@ std::optional<std::size_t> held_at_end(const SolvedPath& path) {
 }
 
 std::optional<std::size_t> held_at(const SourceText& point, const post::Curve& curve, const SolvedPath& path) {
-    if (model::is_timed(path.model)) return 0;  // the time is
+    const post::Column* at = curve.find(quantity_named_by(point));
+    if (model::is_timed(path.model)) {  // the time is held, and nothing else
+        const bool is_time = point.text == "end" || (at != nullptr && at->source == post::Source::time);
+        return is_time ? std::optional<std::size_t>{0} : std::nullopt;
+    }
     if (point.text == "limit") return 1;  // the derivative of the load is the same at any fixed output
     if (point.text == "end") return held_at_end(path);
-    const post::Column* column = curve.find(quantity_named_by(point));
-    return column == nullptr ? std::nullopt : quantity_of(*column);
+    return at == nullptr ? std::nullopt : quantity_of(*at);
 }
 
 std::string derivative_unit(const std::string& unit, const std::string& by) {
@@ -74,7 +77,10 @@ Outputs derivatives_of(const Sweep& sweep, const post::Curve& curve, const Solve
         const std::optional<std::vector<double>> row = row_at(point, extended, path.end.limit_points).values;
         const std::optional<std::size_t> held = held_at(point, curve, path);
         if (row && !held)
-            outputs.missing.push_back("sensitivity at " + point.text + ": the path did not end at a load or an output");
+            outputs.missing.push_back("sensitivity at " + point.text +
+                                      (model::is_timed(path.model)
+                                           ? ": derivatives of a path in time are at fixed times, time=..."
+                                           : ": the path did not end at a load or an output"));
         for (const post::Column& column : curve.columns) {
             const std::optional<std::size_t> quantity = quantity_of(column);
             if (!quantity || !is_requested(sweep, column) || (point.text == "limit" && *quantity != 0)) continue;

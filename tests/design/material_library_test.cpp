@@ -125,9 +125,10 @@ TEST(MaterialLibrary, OtherKeysCanBeGivenWithTheNameAndOverridden) {
 }
 
 TEST(MaterialLibrary, AnEntryMayHaveViscousConstants) {
-    const MaterialFile file{"known", "sets:\n  - range: 100 %\n    law: yeoh\n    c1: 20 kPa\n    kappa: incompressible\n"
-                                     "    viscoelastic: {moduli: [0.2, 0.1], times: [0.5 s, 10 s]}\n"
-                                     "    softening: {r: 2, m: 10 kPa}\n    fit: {max_I1: 4, source: a test}\n"};
+    const MaterialFile file{"known",
+                            "sets:\n  - range: 100 %\n    law: yeoh\n    c1: 20 kPa\n    kappa: incompressible\n"
+                            "    viscoelastic: {moduli: [0.2, 0.1], times: [0.5 s, 10 s]}\n"
+                            "    softening: {r: 2, m: 10 kPa}\n    fit: {max_I1: 4, source: a test}\n"};
     Node root = parse_yaml(pipe_of("none"), "pipe.yaml");
     put(root, "material", material_sets(file).front().block);
     const Design of_entry = read(write_yaml(root));

@@ -97,7 +97,8 @@ TEST(HistoryFit, AGivenLawKeepsItsConstants) {
     EXPECT_NEAR(value_of(fit, "time 2"), 12, 0.02 * 12);
     EXPECT_GT(error_of(fit, "modulus 1"), 0);
     // The other constants cannot make up for a law that is not that of the test.
-    const Fit stiff = fit_history(*find_candidate("yeoh"), tests, {2, false, given_law("neo-hookean", {{"mu", {1.1e5}}})});
+    const Fit stiff =
+        fit_history(*find_candidate("yeoh"), tests, {2, false, given_law("neo-hookean", {{"mu", {1.1e5}}})});
     EXPECT_LT(stiff.r2, fit.r2);
     EXPECT_THROW(static_cast<void>(given_law("kraken", {})), Error);
 }
