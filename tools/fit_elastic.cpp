@@ -5,7 +5,7 @@
 #include "cli.hpp"
 #include "design/design.hpp"
 #include "design/tree.hpp"
-#include "fit/history_fit.hpp"
+#include "fit/given_law.hpp"
 
 namespace soft::cli {
 

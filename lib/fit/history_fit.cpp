@@ -9,8 +9,8 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "fit/history_stress.hpp"
 #include "fit/quality.hpp"
-#include "material/point_history.hpp"
 #include "material/response.hpp"
 
 namespace soft::fit {
@@ -20,46 +20,10 @@ constexpr int most_iterations = 100;
 constexpr double cost_tolerance = 1e-12;
 /// Bounds of the logarithms of moduli and of r - 1, and of beta.
 constexpr double min_modulus = 1e-4, max_modulus = 20, max_r = 100, max_beta = 10;
-/// Largest change of the stretch in one step of the model.
-constexpr double max_step = 0.02;
 constexpr double correlated = 1e4;  // condition
 /// Starts: relaxation times relative to those spread over the data, and softening r.
 constexpr std::array<double, 2> time_starts{1.0, 0.2};
 constexpr std::array<double, 2> r_starts{1.5, 4.0};
-
-std::array<double, 3> stretches_of(Mode mode, double l) {
-    switch (mode) {
-        case Mode::equibiaxial: return {l, l, 1 / (l * l)};
-        case Mode::planar: return {l, 1, 1 / l};
-        default: return {l, 1 / std::sqrt(l), 1 / std::sqrt(l)};
-    }
-}
-
-/// Nominal stress: the pressure removes the stress of the free third direction.
-double nominal_Pa(const material::SymmetricTensor& S, const std::array<double, 3>& l) {
-    return l[0] * S[0] - S[2] * l[2] * l[2] / l[0];
-}
-
-std::vector<double> stress_of_test(const material::AnyRubber& rubber, const TestCurve& test) {
-    const material::Inelastic& inelastic = *material::inelastic_of(rubber);
-    std::vector<double> history(material::history_size(inelastic), 0.0), next = history, stress_Pa;
-    double time_s = test.time_s.front(), l = 1;
-    for (std::size_t row = 0; row < test.stretch.size(); ++row) {
-        const double change = test.stretch[row] - l, dt = test.time_s[row] - time_s;
-        const int steps = 1 + static_cast<int>(std::abs(change) / max_step);
-        const auto coefficients = material::step_coefficients(inelastic, dt / steps);
-        for (int k = 1; k <= steps; ++k) {
-            const auto at = stretches_of(test.mode, l + change * k / steps);
-            const auto step =
-                material::advance(rubber, coefficients, {}, {at[0], 0, 0, 0, at[1], 0, 0, 0, at[2]}, history, next);
-            std::swap(history, next);
-            if (k == steps) stress_Pa.push_back(nominal_Pa(step.stress, at));
-        }
-        l = test.stretch[row];
-        time_s = test.time_s[row];
-    }
-    return stress_Pa;
-}
 
 /// The unknowns: the constants of the law relative to `scale`, then ln g, ln tau, ln (r - 1), ln m, beta.
 struct Unknowns {
@@ -356,32 +320,6 @@ void add_constants(const Searched& found, const Fit& elastic, Fit& fit) {
 }
 
 }  // namespace
-
-Fit given_law(const std::string& law, const material::Constants& constants) {
-    const bool has_terms = law == "ogden";
-    const std::size_t terms = has_terms ? constants.at("mu").size() : 0;
-    const Candidate* candidate = nullptr;  // the one with the most constants
-    for (const Candidate& other : candidates())
-        if (other.law == law && (!has_terms || static_cast<std::size_t>(other.linear) == terms)) candidate = &other;
-    if (candidate == nullptr)
-        throw Error(ExitCode::usage, "--elastic", "the law " + core::quoted(law) + " cannot be fitted",
-                    "use one of those that --law names");
-    Fit fit;
-    fit.candidate = *candidate;
-    fit.constants = constants;
-    if (has_terms) {
-        for (const char* name : {"mu", "alpha"})
-            for (std::size_t k = 0; k < terms; ++k)
-                fit.list.push_back(
-                    {std::string{name} + " " + std::to_string(k + 1), constants.at(name)[k], 0, name[0] == 'm'});
-        return fit;
-    }
-    const auto& parameters = material::find_law(law)->parameters;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(candidate->linear + candidate->shapes); ++i)
-        fit.list.push_back({std::string{parameters[i].name}, constants.at(std::string{parameters[i].name}).front(), 0,
-                            static_cast<int>(i) < candidate->linear});
-    return fit;
-}
 
 Fit fit_history(const Candidate& candidate, const std::vector<TestCurve>& tests, const HistorySettings& history,
                 const Settings& settings) {

@@ -12,11 +12,8 @@ namespace soft::fit {
 struct HistorySettings {
     int branches = 0;  ///< Maxwell elements; 0: no viscoelasticity
     bool softening = false;
-    std::optional<Fit> elastic = {};  ///< of given_law: only the other constants are fitted
+    std::optional<Fit> elastic = {};  ///< given_law.hpp: only the other constants are fitted
 };
-
-/// A law with known constants, without errors, in place of a fit. Throws Error (usage) for a law that cannot be fitted.
-[[nodiscard]] Fit given_law(const std::string& law, const material::Constants& constants);
 
 /// The fit with its `inelastic` constants, their errors in `history`, and the predicted stress of every row. Flags in addition to those of
 /// fit(): time-outside-data:<n> (a relaxation time below the shortest interval or above the length of the tests).

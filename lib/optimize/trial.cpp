@@ -12,6 +12,7 @@
 #include "mesh/cell_map.hpp"
 #include "post/curve.hpp"
 #include "post/interpolate.hpp"
+#include "post/row_derivatives.hpp"
 #include "solver/row_state.hpp"
 #include "solver/sensitivities.hpp"
 

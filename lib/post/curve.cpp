@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "post/row_derivatives.hpp"
 
 namespace soft::post {
 namespace {
@@ -226,8 +227,8 @@ void add_derivatives(std::vector<Entry>& entries, const model::Case& model, std:
     };
     const auto add = [&](const std::string& quantity, const Scale& of, const Scale& by, std::string meaning,
                          std::function<Value(const Step&)> value) {
-        const std::string numerator = of.unit.empty() ? "1" : of.unit;
         Column column = plain(quantity, Role::dependent, std::move(meaning));
+        const std::string numerator = of.unit.empty() ? "1" : of.unit;
         column.unit = by.unit.empty() ? of.unit : numerator + "/" + by.unit;
         if (!column.unit.empty())
             column.name += "_" + suffix_of(numerator) + (by.unit.empty() ? "" : "_per_" + suffix_of(by.unit));
@@ -235,9 +236,8 @@ void add_derivatives(std::vector<Entry>& entries, const model::Case& model, std:
         column.shown = Shown::on_demand;
         entries.push_back({.column = std::move(column), .value_SI = std::move(value), .is_optional = true});
     };
-    const Unit output_unit = column_unit(model.outputs.front().measure);
-    const Scale of_load{load.unit, load.SI_per_unit},
-        of_output{std::string{output_unit.suffix}, output_unit.SI_per_unit};
+    const Unit unit = column_unit(model.outputs.front().measure);
+    const Scale of_load{load.unit, load.SI_per_unit}, of_output{std::string{unit.suffix}, unit.SI_per_unit};
     const bool is_timed = model::is_timed(model);
     // The row of a stage in which nothing changes has no direction: that of the row before.
     const auto stiffness = [steps](const Step& step) {
@@ -364,21 +364,6 @@ std::string Curve::coordinate_names() const {
     for (const Column& column : columns)
         if (column.role == Role::coordinate) names.append(names.empty() ? "" : ", ").append(column.quantity);
     return names;
-}
-
-double with_derivatives(std::span<const model::Step> steps, std::size_t row,
-                        const std::function<double(std::size_t)>& value) {
-    const auto has_none = [steps](std::size_t at) {
-        return std::ranges::find(steps[at].derivatives, model::no_derivative) != steps[at].derivatives.end();
-    };
-    std::size_t before = row, after = row;
-    while (before > 0 && has_none(before)) --before;
-    while (after + 1 < steps.size() && has_none(after)) ++after;
-    if (before == row) return value(row);
-    if (has_none(after)) return value(before);
-    const double from = steps[before].outputs[0], to = steps[after].outputs[0];
-    const double share = from == to ? 0 : std::clamp((steps[row].outputs[0] - from) / (to - from), 0.0, 1.0);
-    return std::lerp(value(before), value(after), share);
 }
 
 Curve make_curve(const model::Case& model, std::span<const model::Step> steps) {

@@ -81,11 +81,6 @@ struct Curve {
 /// and cavity, if there are several), or if a volume or a time is recorded at some steps only.
 [[nodiscard]] Curve make_curve(const model::Case& model, std::span<const model::Step> steps);
 
-/// A value that depends on the derivatives of a row. A bifurcation has none, all are 0: linear between the rows before and after, by the
-/// first output. Row 0 has what it has.
-[[nodiscard]] double with_derivatives(std::span<const model::Step> steps, std::size_t row,
-                                      const std::function<double(std::size_t)>& value);
-
 /// All possible columns, each once, with name, unit and meaning but no rows. Names chosen in a design appear in angle brackets; outputs
 /// appear by their measure: <displacement>_mm.
 [[nodiscard]] std::vector<Column> all_columns();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "post/row_derivatives.hpp"
+
 namespace soft::post {
 namespace {
 

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/error.hpp"
+#include "fit/given_law.hpp"
 
 namespace soft::fit {
 namespace {

@@ -1,0 +1,15 @@
+#pragma once
+/// Derivatives of a row by the numbers of a design, where it has them. Tested by post/point_sensitivity_test.
+#include <functional>
+#include <span>
+
+#include "model/path.hpp"
+
+namespace soft::post {
+
+/// A value that depends on the derivatives of a row. A bifurcation has none (model::no_derivative): linear between the rows before and
+/// after, by the first output.
+[[nodiscard]] double with_derivatives(std::span<const model::Step> steps, std::size_t row,
+                                      const std::function<double(std::size_t)>& value);
+
+}  // namespace soft::post
