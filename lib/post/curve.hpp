@@ -12,7 +12,6 @@
 /// max_energy_density_kJ_m3, stiffness_kPa_per_mm and pressure_by_<number of the design> (sensitivity.hpp). Quantities that a case does not have (an output, a cavity volume) are omitted, never filled with zeros.
 /// Tested by post/curve_test.
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
