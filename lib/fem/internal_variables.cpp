@@ -29,7 +29,8 @@ InternalVariables::InternalVariables(const Discretization& fe) : fe_(fe), index_
         index_[g] = static_cast<int>(groups_.size());
         const std::size_t points = cells.cells.size() * static_cast<std::size_t>(cells.reference->points);
         const std::vector virgin(points * size, 0.0);
-        groups_.push_back({&cells, inelastic, size, {}, virgin, virgin, {}});
+        groups_.push_back({&cells, inelastic, size, {}, virgin, virgin, {}, {}});
+        groups_.back().W_max.resize(inelastic->softening ? points : 0);
         groups_.back().overstress.resize(inelastic->moduli.empty() ? 0 : points);
     }
     for (const auto& rubber : fe.rubbers) {  // the same on every rank
@@ -52,14 +53,23 @@ void InternalVariables::set_time(double time_s) {
     if (step_s_ < -backwards * shortest_time_s_) step_s_ = 0;
     const double dt = clock_ == Clock::runs ? step_s_ : std::numeric_limits<double>::infinity();
     if (prepared_for_s_ == dt) return;
+    const bool has_new_values = !prepared_for_s_;
     prepared_for_s_ = dt;
     for (Group& group : groups_) {
         group.step = clock_ == Clock::is_infinitely_fast ? material::instantaneous_coefficients(*group.inelastic)
                                                          : material::step_coefficients(*group.inelastic, dt);
+        const auto& values = std::as_const(group.values);
         for (std::size_t i = 0; i < group.overstress.size(); ++i)
-            group.overstress[i] =
-                material::overstress(*group.inelastic, group.step, at_point(std::as_const(group.values), group, i));
+            group.overstress[i] = material::overstress(*group.inelastic, group.step, at_point(values, group, i));
+        for (std::size_t i = 0; has_new_values && i < group.W_max.size(); ++i)
+            group.W_max[i] = (1.0 - margin_) * material::largest_energy(at_point(values, group, i));
     }
+}
+
+void InternalVariables::set_margin(double share) {
+    margin_ = share;
+    prepared_for_s_.reset();
+    set_time(time_s_);
 }
 
 const InternalVariables::Group* InternalVariables::find(const CellGroup& group) const {
@@ -78,13 +88,12 @@ bool InternalVariables::read(const CellGroup& cells, std::size_t cell, material:
     const auto points = static_cast<std::size_t>(cells.reference->points);
     memory.factor = group->step.factor;
     memory.softening = inelastic.softening ? &*inelastic.softening : nullptr;
-    memory.W_max.resize(memory.softening == nullptr ? 0 : points);
-    memory.overstress.resize(group->overstress.empty() ? 0 : points);
     const std::size_t first = index_of(*group, {cells, cell, 0});
-    for (std::size_t q = 0; q < memory.W_max.size(); ++q)
-        memory.W_max[q] = (1.0 - margin_) * material::largest_energy(at_point(group->values, *group, first + q));
-    if (!group->overstress.empty())
-        std::copy_n(group->overstress.begin() + static_cast<std::ptrdiff_t>(first), points, memory.overstress.begin());
+    const auto of_cell = [&](const auto& list) {
+        return list.empty() ? std::span(list) : std::span(list).subspan(first, points);
+    };
+    memory.W_max = of_cell(group->W_max);
+    memory.overstress = of_cell(group->overstress);
     return true;
 }
 

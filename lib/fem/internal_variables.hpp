@@ -36,7 +36,7 @@ public:
 
     /// Points whose energy W is below the largest one by less than this share of it count as being loaded, so that their tangent does not
     /// depend on rounding: for derivatives of states that return to where they were. Does not affect step_at.
-    void set_margin(double share) noexcept { margin_ = share; }
+    void set_margin(double share);
 
     /// Fills what the step needs at the points of a cell; false for an elastic cell.
     bool read(const CellGroup& group, std::size_t cell, material::StepMemory& memory) const;
@@ -68,7 +68,8 @@ private:
         std::size_t size;  ///< numbers per point
         material::StepCoefficients step;
         std::vector<double> values, next;  ///< [cell][point][size]: at the start and at the end of the step
-        std::vector<material::SymmetricTensor> overstress;  ///< [cell][point] H of the step
+        std::vector<double> W_max;         ///< [cell][point] with softening, less the margin
+        std::vector<material::SymmetricTensor> overstress;  ///< [cell][point] with viscoelasticity: H of the step
     };
     [[nodiscard]] const Group* find(const CellGroup& group) const;
     [[nodiscard]] static std::size_t index_of(const Group& group, const PointLocation& at);
@@ -87,7 +88,7 @@ private:
     double start_s_ = 0, time_s_ = 0, step_s_ = 0, last_step_s_ = 0;
     std::int64_t accepted_ = 0;
     double dissipated_J_ = 0, largest_stress2_ = 0;
-    std::optional<double> prepared_for_s_;  // length of the step of the groups' coefficients and overstresses
+    std::optional<double> prepared_for_s_;  // length of the step of the groups' coefficients; nullopt: values are new
 };
 
 }  // namespace soft::fem

@@ -15,6 +15,7 @@
 /// Tested by material/inelastic_test, fem/internal_variables_test.
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "math/dual.hpp"
@@ -76,12 +77,12 @@ struct EnergyOfStep {
     }
 };
 
-/// What a step needs of the internal variables at the points of a cell.
+/// What a step needs of the internal variables at the points of a cell. Does not own them.
 struct StepMemory {
     double factor = 1;
     const Softening* softening = nullptr;
-    std::vector<double> W_max;                ///< by point; only with softening
-    std::vector<SymmetricTensor> overstress;  ///< H by point; empty: none
+    std::span<const double> W_max;                ///< by point; only with softening
+    std::span<const SymmetricTensor> overstress;  ///< H by point; empty: none
 
     [[nodiscard]] EnergyOfStep energy(int point) const {
         return {factor, softening, softening == nullptr ? 0.0 : W_max[static_cast<std::size_t>(point)]};

@@ -71,7 +71,9 @@ struct Sample {
     material::AnyRubber rubber;
     ReferenceCell cell;
     std::vector<double> X, unknowns;
-    material::StepMemory memory;  ///< used by inelastic rubber
+    material::StepMemory memory;  ///< used by inelastic rubber; of the next two
+    std::vector<double> W_max;
+    std::vector<material::SymmetricTensor> overstress;
 
     explicit Sample(const Combination& c, material::AnyRubber law = neo_hookean())
         : combination(c),

@@ -96,9 +96,11 @@ void for_each_inelastic_entry(Visit&& visit) {
             sample.memory.factor = 1.3;
             sample.memory.softening = &*inelastic.softening;
             for (int q = 0; q < sample.cell.points; ++q) {
-                sample.memory.W_max.push_back(q % 2 == 0 ? 0.0 : 1e6);
-                sample.memory.overstress.push_back({1e3, -2e3, 3e3 * q, 5e2, 7e2, -4e2});
+                sample.W_max.push_back(q % 2 == 0 ? 0.0 : 1e6);
+                sample.overstress.push_back({1e3, -2e3, 3e3 * q, 5e2, 7e2, -4e2});
             }
+            sample.memory.W_max = sample.W_max;
+            sample.memory.overstress = sample.overstress;
             visit(sample, law);
         }
     }
