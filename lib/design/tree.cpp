@@ -7,9 +7,11 @@
 #include <optional>
 #include <sstream>
 #include <utility>
+#include <variant>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "core/units.hpp"
 
 namespace soft::design {
 namespace {
