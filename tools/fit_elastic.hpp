@@ -1,5 +1,5 @@
 #pragma once
-/// The known law of fit-material --elastic. Tested by pipeline/inelastic.
+/// The known law of fit-material --elastic. Tested by pipeline/inelastic_fits.
 #include <string>
 
 #include "fit/fit.hpp"

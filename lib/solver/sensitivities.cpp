@@ -45,6 +45,13 @@ StageStart combine(StageStart a, const StageStart& b, const auto& function) {
     return a;
 }
 
+/// direction += factor x other
+void add(PathTangent& direction, double factor, const PathTangent& other) {
+    linalg::add(direction.x, factor, other.x);
+    direction.load_factor += factor * other.load_factor;
+    for (std::size_t k = 0; k < direction.pressures.size(); ++k) direction.pressures[k] += factor * other.pressures[k];
+}
+
 std::vector<double> quotient(const std::vector<double>& after, const std::vector<double>& before, double change) {
     std::vector<double> slopes;
     for (std::size_t i = 0; i < after.size(); ++i) slopes.push_back((after[i] - before[i]) / change);
@@ -162,9 +169,7 @@ void Sensitivities::correct_at_moved_states(Newton& newton, const State& state, 
         const End before = evaluate_at(lower, moved(state, lower.change, direction)),
                   after = evaluate_at(higher, moved(state, higher.change, direction));
         const PathTangent missing = direction_between(newton, before, after, change);
-        linalg::add(direction.x, 1.0, missing.x);
-        direction.load_factor += missing.load_factor;
-        for (std::size_t k = 0; k < direction.pressures.size(); ++k) direction.pressures[k] += missing.pressures[k];
+        add(direction, 1.0, missing);
         if (linalg::norm(missing.x) <= accurate_pass * linalg::norm(direction.x)) return;
     }
 }
@@ -184,10 +189,7 @@ void Sensitivities::move_to_goal(const Goal& goal, const PathPoint& point, const
                                  value_of(goal.constraint, moved_point(lower, point, direction))) /
                                 (higher.change - lower.change);
     const double back = -by_parameter / slope_of(goal.constraint, point);
-    linalg::add(direction.x, back, point.tangent.x);
-    direction.load_factor += back * point.tangent.load_factor;
-    for (std::size_t k = 0; k < direction.pressures.size(); ++k)
-        direction.pressures[k] += back * point.tangent.pressures[k];
+    add(direction, back, point.tangent);
 }
 
 void Sensitivities::evaluate(Corrector& corrector, const PathState& path, const PathPoint& point, model::Step& step) {
