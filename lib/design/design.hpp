@@ -14,7 +14,8 @@
 
 namespace soft::design {
 
-/// Checked values by key path; those of a list of quantities also one by one, "material.mu.1". Getters throw std::logic_error for a path that is not in the schema (a bug).
+/// Checked values by key path; those of a list of quantities also one by one, "material.mu.1". Getters throw std::logic_error for a path
+/// that is not in the schema (a bug).
 class Values {
 public:
     struct Entry {
