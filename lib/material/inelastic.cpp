@@ -1,5 +1,6 @@
 #include "material/inelastic.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -26,13 +27,14 @@ double error_of_step(double z) {
 
 }  // namespace
 
-Softening::Value Softening::at(double W, double W_max) const {
-    const double width = m_Pa + beta * W_max;
-    const double virgin = erf_integral(W_max / width);
-    if (W >= W_max) return {W - width / r * (virgin - std::numbers::inv_sqrtpi), 1.0, 0.0};
-    const double x = (W_max - W) / width;
-    return {W - width / r * (virgin - erf_integral(x)), 1.0 - std::erf(x) / r,
-            2.0 * std::numbers::inv_sqrtpi * std::exp(-x * x) / (r * width)};
+double Softening::energy(double W, double W_max) const {
+    const double width = m_Pa + beta * W_max, below = std::max(W_max - W, 0.0);
+    return W - width / r * (erf_integral(W_max / width) - erf_integral(below / width));
+}
+
+Softening::Slopes Softening::slopes_below(double W, double W_max) const {
+    const double width = m_Pa + beta * W_max, x = (W_max - W) / width;
+    return {1.0 - std::erf(x) / r, 2.0 * std::numbers::inv_sqrtpi * std::exp(-x * x) / (r * width)};
 }
 
 double Softening::dissipated(double W_max) const {

@@ -29,13 +29,18 @@ using SymmetricTensor = std::array<double, 6>;
 struct Softening {
     double r = 2, m_Pa = 1, beta = 0;
 
-    /// Phi(W) at a largest energy so far, zero at W = 0, and its derivatives eta and d eta/dW.
-    struct Value {
-        double energy = 0, eta = 1, slope = 0;
+    /// Phi(W) at a largest energy so far, zero at W = 0.
+    [[nodiscard]] double energy(double W, double W_max) const;
+    /// Its derivatives eta and d eta/dW.
+    struct Slopes {
+        double eta = 1, slope = 0;
     };
-    [[nodiscard]] Value at(double W, double W_max) const;
+    [[nodiscard]] Slopes slopes(double W, double W_max) const { return W >= W_max ? Slopes{} : slopes_below(W, W_max); }
     /// Lost since the virgin state: W - Phi(W) at W = W_max.
     [[nodiscard]] double dissipated(double W_max) const;
+
+private:
+    [[nodiscard]] Slopes slopes_below(double W, double W_max) const;
 };
 
 struct Inelastic {
@@ -60,20 +65,16 @@ struct StepCoefficients {
 /// Of a path that is infinitely fast throughout.
 [[nodiscard]] StepCoefficients instantaneous_coefficients(const Inelastic& inelastic);
 
-/// The energy of a step from that of the law, W, without H : E.
+/// The energy of a step from that of the law, W, without H : E. Only its derivatives: the value of the result is that of the law.
 struct EnergyOfStep {
     double factor = 1;
     const Softening* softening = nullptr;
     double W_max = 0;
 
-    [[nodiscard]] double operator()(double W) const {
-        return factor * (softening == nullptr ? W : softening->at(W, W_max).energy);
-    }
     template <int N>
     [[nodiscard]] Dual<N> operator()(const Dual<N>& W) const {
-        if (softening == nullptr) return factor == 1.0 ? W : factor * W;
-        const Softening::Value value = softening->at(W.v, W_max);
-        return Dual<N>::compose(W, factor * value.energy, factor * value.eta, factor * value.slope);
+        const Softening::Slopes by_W = softening == nullptr ? Softening::Slopes{} : softening->slopes(W.v, W_max);
+        return Dual<N>::compose(W, W.v, factor * by_W.eta, factor * by_W.slope);
     }
 };
 

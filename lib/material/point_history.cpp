@@ -28,10 +28,11 @@ double largest_energy(std::span<const double> history) { return history[energy_a
 
 SymmetricTensor overstress(const Inelastic& inelastic, const StepCoefficients& step, std::span<const double> history) {
     SymmetricTensor H{};
-    for (std::size_t i = 0; i < inelastic.moduli.size(); ++i)
-        for (std::size_t c = 0; c < components; ++c)
-            H[c] +=
-                step.decay[i] * history[overstress_at + components * i + c] - step.share[i] * history[stress_at + c];
+    const double *S = &history[stress_at], *Q = S + (overstress_at - stress_at);
+    for (std::size_t i = 0; i < inelastic.moduli.size(); ++i, Q += components) {
+        const double decay = step.decay[i], share = step.share[i];
+        for (std::size_t c = 0; c < components; ++c) H[c] += decay * Q[c] - share * S[c];
+    }
     return H;
 }
 
@@ -44,8 +45,8 @@ PointStep advance(const AnyRubber& rubber, const StepCoefficients& step, const S
     const double W = std::visit([&](const auto& r) { return isochoric_energy(r, F); }, rubber);
     const double W_max = std::max(W, before);
     PointStep result;
-    result.stored_change_J_m3 = of_energy * (softening != nullptr ? softening->at(W, W_max).energy : W) - W;
-    if (softening != nullptr)
+    result.stored_change_J_m3 = of_energy * (softening != nullptr ? softening->energy(W, W_max) : W) - W;
+    if (softening != nullptr && W_max > before)
         result.dissipated_J_m3 = of_energy * (softening->dissipated(W_max) - softening->dissipated(before));
     if (!next.empty()) next[energy_at] = W_max;
     const Tensor P = std::visit(

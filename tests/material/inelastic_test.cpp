@@ -148,12 +148,12 @@ TEST(Inelastic, TheSoftenedEnergyHasTheFactorAsDerivative) {
     const Softening law{1.7, 8e3, 0.2};
     constexpr double W_max = 3e4, h = 1;
     for (const double W : {2e3, 1e4, 2.5e4, 4e4}) {
-        const auto [energy, eta, slope] = law.at(W, W_max);
-        EXPECT_NEAR((law.at(W + h, W_max).energy - law.at(W - h, W_max).energy) / (2 * h), eta, 1e-8);
-        EXPECT_NEAR((law.at(W + h, W_max).eta - law.at(W - h, W_max).eta) / (2 * h), slope, 1e-12);
+        const auto [eta, slope] = law.slopes(W, W_max);
+        EXPECT_NEAR((law.energy(W + h, W_max) - law.energy(W - h, W_max)) / (2 * h), eta, 1e-8);
+        EXPECT_NEAR((law.slopes(W + h, W_max).eta - law.slopes(W - h, W_max).eta) / (2 * h), slope, 1e-12);
     }
-    EXPECT_NEAR(law.at(0, W_max).energy, 0, 1e-9);
-    EXPECT_NEAR(law.at(W_max, W_max).energy + law.dissipated(W_max), W_max, 1e-9);
+    EXPECT_NEAR(law.energy(0, W_max), 0, 1e-9);
+    EXPECT_NEAR(law.energy(W_max, W_max) + law.dissipated(W_max), W_max, 1e-9);
 }
 
 // A closed cycle dissipates the area of its loop, both effects together.
