@@ -145,7 +145,8 @@ inline constexpr std::size_t max_table_bytes = std::size_t{1} << 26, max_design_
 
 enum class Content { text, binary };
 
-/// Throws Error(usage) if binary data would be written to a terminal. Call before computing the data.
+/// Throws Error(usage) if binary data would be written to a terminal, Error(cannot_create) if a file cannot be created. Call before
+/// computing the data.
 void check_output(const std::string& name, Content content);
 
 /// Whether stdout is a regular file. Data written to it only at the end are lost if the process is interrupted.

@@ -11,8 +11,11 @@ namespace soft::cli {
 
 fit::Fit elastic_law(const std::string& material) {
     // A design needs a family, a mesh and loads. These have no geometry, so that only the material matters.
-    const design::FamilyKeys specimen{
-        .name = "specimen", .models = {"solid"}, .faces = {"end"}, .defaults = "supports: {fixed: end}\n"};
+    design::FamilyKeys specimen;
+    specimen.name = "specimen";
+    specimen.models = {"solid"};
+    specimen.faces = {"end"};
+    specimen.defaults = "supports: {fixed: end}\n";
     const bool is_file = material.find('/') != std::string::npos || std::filesystem::exists(material);
     std::string text = "material: " + material;
     const std::string source = is_file ? material : "--elastic";

@@ -1,6 +1,6 @@
 #pragma once
-/// Message of solve when it is interrupted (Ctrl-C, SIGTERM): which results are saved and how to continue.
-/// Tested by tests/pipeline/interrupted.sh.
+/// Message of solve and optimize when they are interrupted (Ctrl-C, SIGTERM): which results are saved and how to continue.
+/// Tested by tests/pipeline/interrupted.sh, tests/pipeline/inverse.sh.
 #include <string>
 #include <string_view>
 

@@ -17,6 +17,7 @@
 #include "design/tree.hpp"
 #include "geometry/build.hpp"
 #include "geometry/family.hpp"
+#include "interrupt.hpp"
 #include "library_versions.hpp"
 #include "linalg/session.hpp"
 #include "optimize/data.hpp"
@@ -148,7 +149,9 @@ public:
           bases_(bases),
           first_(first),
           folder_(options.folder),
+          notice_(about.tool, options.common.verbosity),
           trials_(folder_.path(), identity, options.resume) {
+        notice_.set("the same command with --folder " + folder_.path().string() + " --resume continues");
         if (options.resume) console.say(core::counted(trials_.size(), "trial") + " in " + folder_.path().string());
     }
 
@@ -191,7 +194,8 @@ private:
     const optimize::Goal& goal_;
     std::span<const optimize::Base> bases_;
     const std::vector<double>& first_;
-    Folder folder_;
+    Folder folder_;  // a temporary one remains after an interruption
+    cli::InterruptNotice notice_;
     TrialFile trials_;
     int trial_ = 0;
 };
@@ -202,7 +206,7 @@ std::string identity_of(const OptimizeOptions& options, const optimize::Goal& go
     std::string identity = std::string{cli::version()} + std::string{text} + options.starts;
     for (const optimize::Condition& condition : goal.conditions)
         identity += condition.measure.text + " " + condition.value_text + "\n";
-    for (std::size_t run = 0; run < bases.size() && !options.folder.empty(); ++run) {
+    for (std::size_t run = 0; run < bases.size(); ++run) {
         const design::Design design =
             design::read_design(bases[run].text, bases[run].source, geometry::catalogue_keys(), goal.runs[run].set);
         identity += design.effective_yaml;
@@ -214,6 +218,8 @@ std::string identity_of(const OptimizeOptions& options, const optimize::Goal& go
 
 ExitCode run(const OptimizeOptions& options) {
     cli::Console console{about, options.common};
+    cli::check_output(options.common.output, cli::Content::text);
+    if (!options.common.json.empty()) cli::check_output(options.common.json, cli::Content::text);
     const cli::Input input = cli::read_input(options.input, cli::max_design_bytes);
     optimize::Goal goal = optimize::read_goal(input.text(), input.source);
     const std::vector<optimize::Base> bases = read_bases(goal);

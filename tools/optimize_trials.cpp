@@ -110,6 +110,7 @@ void run_side_by_side(int count, const std::function<void(int)>& work) {
             children.push_back(child);
             continue;
         }
+        for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);  // the parent prints the notice
         ::prctl(PR_SET_PDEATHSIG, SIGTERM);
         try {
             work(index);

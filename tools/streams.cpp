@@ -59,13 +59,16 @@ bool stdout_is_file() {
 }
 
 void check_output(const std::string& name, Content content) {
+    std::error_code failed;
+    // A temporary file, removed at once; a device or a named pipe is not touched.
+    if (name != "-" && !std::filesystem::is_other(name, failed)) core::AtomicFile{name};
     if (name == "-" && content == Content::binary && writes_to_terminal())
         throw Error(ExitCode::usage, "<stdout>", "binary data is not written to a terminal", "use -o FILE or a pipe");
 }
 
 void write_output(const std::string& name, std::span<const std::byte> bytes, Content content) {
-    check_output(name, content);
     if (name == "-") {
+        check_output(name, content);
         static_cast<void>(core::write_all(STDOUT_FILENO, bytes, "<stdout>"));
         return;
     }

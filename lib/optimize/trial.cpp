@@ -44,8 +44,17 @@ struct Solved {
     [[nodiscard]] double change(std::size_t k) const { return model.parameters[k].higher - model.parameters[k].lower; }
 };
 
-Error does_not_fit(const std::string& what, const std::string& problem, const std::string& remedy = {}) {
-    return {ExitCode::bad_input, what, problem, remedy};
+/// The goal does not fit its designs, whatever the values of the variables.
+class DoesNotFit : public Error {
+public:
+    DoesNotFit(const std::string& what, const std::string& problem, const std::string& remedy = {})
+        : Error(ExitCode::bad_input, what, problem, remedy) {}
+};
+
+void check_unit(const std::string& text, core::Dimension dimension, const std::string& what) try {
+    static_cast<void>(core::quantity_or_throw(text, dimension, ExitCode::bad_input, what));
+} catch (const Error& error) {
+    throw DoesNotFit("", error.what());
 }
 
 /// The column of a quantity of the curve, and the index of its derivative among those of a row: 0 load, 1 ... outputs, then the stretch;
@@ -64,8 +73,7 @@ Quantity quantity_named(const Solved& solved, const std::string& name, const std
     std::vector<std::string> known{solved.curve.find(post::Source::load)->quantity};
     for (const model::Output& output : solved.model.outputs) known.push_back(output.name);
     known.emplace_back(stretch);
-    throw does_not_fit(what, core::quoted(name) + " is neither the load nor an output",
-                       core::did_you_mean(name, known));
+    throw DoesNotFit(what, core::quoted(name) + " is neither the load nor an output", core::did_you_mean(name, known));
 }
 
 double slope_of(const model::Step& step, std::size_t index) {
@@ -90,13 +98,12 @@ public:
     QuantityOnCurve(const Solved& solved, const Measure& measure) : solved_(solved), curve_(solved.curve) {
         const Quantity quantity = quantity_named(solved, measure.quantity, measure.text),
                        at = quantity_named(solved, measure.at, measure.text);
-        if (!quantity.index) throw does_not_fit(measure.text, "the time cannot be a target", "write it under `at`");
+        if (!quantity.index) throw DoesNotFit(measure.text, "the time cannot be a target", "write it under `at`");
         if (at.index && *at.index > solved.model.outputs.size())
-            throw does_not_fit(measure.text, "`at` needs the load, an output or the time",
-                               "write for example at: {pressure: 20 kPa}");
+            throw DoesNotFit(measure.text, "`at` needs the load, an output or the time",
+                             "write for example at: {pressure: 20 kPa}");
         if (!measure.at_text.empty())  // rows of data have no text of their own
-            static_cast<void>(
-                core::quantity_or_throw(measure.at_text, at.column->dimension, ExitCode::bad_input, measure.text));
+            check_unit(measure.at_text, at.column->dimension, measure.text);
         shown_ = curve_.index_of(*curve_.find(measure.quantity));
         at_ = curve_.index_of(*curve_.find(measure.at));
         first_derivative_ = curve_.columns.size();
@@ -157,8 +164,7 @@ private:
 /// `enough_SI`: a path without limit point that reaches this load counts as having its limit beyond its largest load.
 Trial::Value limit_of(const Solved& solved, const Measure& measure, double enough_SI, std::size_t variables) {
     const post::Column& load = *solved.curve.find(post::Source::load);
-    if (measure.quantity != load.quantity)
-        throw does_not_fit(measure.text, "the load of the design is " + load.quantity);
+    if (measure.quantity != load.quantity) throw DoesNotFit(measure.text, "the load of the design is " + load.quantity);
     Trial::Value value{0, std::vector<double>(variables)};
     if (solved.end.limit_points.empty()) {
         for (const model::Step& step : solved.steps) value.value_SI = std::max(value.value_SI, step.pressure_Pa);
@@ -190,7 +196,7 @@ Trial::Value sum_of_keys(const design::Design& design, const Goal& goal, const M
     Trial::Value value{0, std::vector<double>(goal.variables.size())};
     for (const Measure::Term& term : measure.terms) {
         if (!design.values.has(term.key))
-            throw does_not_fit(measure.text, core::quoted(term.key) + " is not a key of the design");
+            throw DoesNotFit(measure.text, core::quoted(term.key) + " is not a key of the design");
         value.value_SI += term.factor * design.values.number(term.key);
         for (std::size_t i = 0; i < goal.variables.size(); ++i)
             if (goal.variables[i].key == term.key && !goal.variables[i].is_whole) value.gradient[i] += term.factor;
@@ -212,6 +218,7 @@ std::optional<design::Override> end_of_path(std::span<const Measure* const> meas
         std::ranges::find(design.outputs, last->at, &design::Design::OutputRequest::name) != design.outputs.end();
     const bool is_pressure = last->at == "pressure" && !design.loads.empty();
     if (!is_output && !is_pressure) return std::nullopt;
+    if (is_pressure) check_unit(last->at_text, core::Dimension::pressure, last->text);
     return design::Override{"path.until." + last->at, last->at_text, {}};
 }
 
@@ -292,9 +299,8 @@ void add_run(const Goal& goal, std::size_t index, const Base& base, const std::v
         const Measure::Kind kind = condition.measure.kind;
         const bool is_of_path = kind == Measure::Kind::curve || kind == Measure::Kind::limit;
         if (is_of_path && !condition.curve)  // that of a file has been read in the unit of its column
-            static_cast<void>(core::quantity_or_throw(condition.value_text,
-                                                      path->curve.find(condition.measure.quantity)->dimension,
-                                                      ExitCode::bad_input, condition.measure.text));
+            check_unit(condition.value_text, path->curve.find(condition.measure.quantity)->dimension,
+                       condition.measure.text);
     }
     if (goal.minimize && index == 0) trial.objective = measured(*goal.minimize, never, std::nullopt);
     if (!needs_path) return;
@@ -312,6 +318,8 @@ Trial evaluate(const Goal& goal, std::span<const Base> bases, const std::vector<
     try {
         for (std::size_t run = 0; run < goal.runs.size(); ++run)
             add_run(goal, run, bases[run], values, contact_check, trial);
+    } catch (const DoesNotFit&) {
+        throw;
     } catch (const Error& error) {
         if (error.code() != ExitCode::bad_input && error.code() != ExitCode::stopped_early) throw;
         trial.failure = error.what();

@@ -71,5 +71,28 @@ targets: [{elongation: 60 mm, at: {pressure: 20 kPa}}]'
 refuses 65 'optimize: vary.geometry.wal: is neither a number of the design that differs from 0 nor a count; did you mean*' 'optimize goal.yaml -q'
 goal 'vary: {geometry.wall: {from: 2 mm, to: 4 mm}}
 targets: [{elongatio: 60 mm, at: {pressure: 20 kPa}}]'
-refuses 65 "optimize: no trial succeeds: *'elongatio' is neither the load nor an output*" 'optimize goal.yaml -q --starts 1'
+refuses 65 "optimize: elongatio at pressure 20 kPa: 'elongatio' is neither the load nor an output*" 'optimize goal.yaml -q --starts 1'
+goal 'vary: {geometry.wall: {from: 2 mm, to: 4 mm}}
+targets: [{elongation: 0.5 kPa, at: {pressure: 20 kPa}}]'
+refuses 65 "optimize: elongation at pressure 20 kPa: '0.5 kPa' is a pressure where a length is needed*" 'optimize goal.yaml -q --starts 2 --jobs 2'
+goal 'vary: {geometry.wall: {from: 2 mm, to: 4 mm}}
+targets: [{elongation: 60 mm, at: {pressure: 20 mm}}]'
+refuses 65 "optimize: elongation at pressure 20 mm: '20 mm' is a length where a pressure is needed*" 'optimize goal.yaml -q --starts 1'
 refuses 66 'optimize: *nowhere.yaml*' 'optimize nowhere.yaml -q'
+refuses 73 'optimize: nowhere/found.yaml: cannot be created: *' 'optimize goal.yaml -q -o nowhere/found.yaml'
+refuses 73 'optimize: nowhere/report.json: cannot be created: *' 'optimize goal.yaml -q --json nowhere/report.json'
+
+# An interrupted search says how to continue, also without --folder; what it had tried is not computed again.
+goal 'vary: {geometry.wall: {from: 1.5 mm, to: 4 mm}, geometry.crest_radius: {from: 15 mm, to: 20 mm}}
+targets: [{elongation: 60 mm, at: {pressure: 20 kPa}}]
+minimize: rubber_volume'
+mkdir kept
+TMPDIR=$PWD/kept optimize goal.yaml --starts 2 --jobs 2 -o found.yaml 2>interrupted.txt &
+while kill -0 $! 2>/dev/null && ! [ "$(cat kept/optimize-*/trials.jsonl 2>/dev/null | wc -l)" -gt 2 ]; do sleep 0.02; done
+kill -TERM $!
+wait $! || true
+claim "an interrupted search says how to continue" grep -q "^optimize: interrupted; the same command with --folder .*/optimize-.* --resume continues" interrupted.txt
+claim "once" test "$(grep -c interrupted interrupted.txt)" = 1
+runs "optimize goal.yaml --starts 2 -o resumed.yaml --folder $(echo kept/optimize-*) --resume"
+runs 'optimize goal.yaml --starts 2 -q -o whole.yaml'
+claim "and gives the same design" cmp resumed.yaml whole.yaml
