@@ -61,40 +61,72 @@ struct HalfWidths {
     const Column *x = nullptr, *y = nullptr;
 };
 
-/// The band of tolerances has a width of the load at a fixed first output, over time of either.
+/// Where the loads are prescribed in time, their bands have no width.
+bool is_prescribed(const Column& band, const Column& load) {
+    constexpr double negligible = 1e-6;
+    const auto largest = [](const Column& column) {
+        double size = 0;
+        for (const double value : column.values) size = std::max(size, std::abs(value));
+        return size;
+    };
+    return largest(band) <= negligible * largest(load);
+}
+
+/// The band of tolerances has a width of the load at a fixed first output; over time of either; of a path in time with prescribed loads,
+/// of the output.
 HalfWidths tolerances_of(const Curve& curve, const PlotAxes& axes) {
     const Column *load = curve.find(Source::load), *output = curve.find(Source::output);
     if (load == nullptr || output == nullptr) return {};
-    if (curve.columns[axes.x].source == Source::time)
-        return {nullptr, curve.find("band_rss_" + curve.columns[axes.y].quantity)};
-    const Column* half = curve.find("band_rss_" + load->quantity);
+    const auto band_of = [&](const Column& column) { return curve.find("band_rss_" + column.quantity); };
+    if (curve.columns[axes.x].source == Source::time) return {nullptr, band_of(curve.columns[axes.y])};
+    const Column *band = band_of(*load), *along = load;
+    if (band != nullptr && curve.find(Source::time) != nullptr) {
+        if (!is_prescribed(*band, *load)) return {};
+        band = band_of(*output);
+        along = output;
+    }
     const std::size_t by = curve.index_of(*load), over = curve.index_of(*output);
-    if (curve.find(Source::time) != nullptr) return {};
-    if (axes.x == over && axes.y == by) return {nullptr, half};
-    if (axes.x == by && axes.y == over) return {half, nullptr};
-    return {};
+    if (std::minmax(axes.x, axes.y) != std::minmax(by, over)) return {};
+    return axes.y == curve.index_of(*along) ? HalfWidths{nullptr, band} : HalfWidths{band, nullptr};
 }
 
-/// Closed outline: the path shifted by +half, then in reverse order by -half; along the ordinate if it has a width, else along the
-/// abscissa.
+/// Closed outlines: the path shifted by +half, then in reverse order by -half; along the ordinate if it has a width, else along the
+/// abscissa. A new outline begins where the path turns back, because an area that an outline encloses twice is not filled.
 std::string band_outline(const Curve& curve, const Path& path, const PlotAxes& axes, const HalfWidths& widths,
                          std::vector<std::array<double, 2>>& edges) {
     if (widths.x == nullptr && widths.y == nullptr) return {};
+    constexpr double no_motion = 1e-9;  // relative to the largest value
     const bool is_up = widths.y != nullptr;
-    const std::size_t column = curve.index_of(is_up ? *widths.y : *widths.x);
+    const std::size_t column = curve.index_of(is_up ? *widths.y : *widths.x), across = is_up ? axes.x : axes.y;
+    double largest = 0;
+    for (const double value : curve.columns[across].values) largest = std::max(largest, std::abs(value));
     const auto s = path.row_parameters();
-    std::string there;
-    std::vector<std::string> back;
+    std::string outlines;
+    std::vector<std::string> there, back;
+    const auto close = [&] {
+        if (there.empty()) return;
+        if (!outlines.empty()) outlines += "\n";
+        for (const std::string& point : there) outlines += point;
+        for (auto point = back.rbegin(); point != back.rend(); ++point) outlines += *point;
+        there.erase(there.begin(), there.end() - 1);
+        back.erase(back.begin(), back.end() - 1);
+    };
+    int direction = 0;
+    double last = 0;
     for (std::size_t i = 0; i + 1 < s.size(); ++i)
         for (int k = i == 0 ? 0 : 1; k <= samples_per_interval; ++k) {
             const std::vector<double> row = path.at(s[i] + (s[i + 1] - s[i]) * k / samples_per_interval);
-            const double half = row[column], dx = is_up ? 0 : half, dy = is_up ? half : 0;
-            there += line({row[axes.x] + dx, row[axes.y] + dy});
+            const double half = row[column], dx = is_up ? 0 : half, dy = is_up ? half : 0, step = row[across] - last;
+            const int now = std::abs(step) <= no_motion * largest ? 0 : step > 0 ? 1 : -1;
+            if (now != direction && there.size() > 1) close();
+            direction = now;
+            last = row[across];
+            there.push_back(line({row[axes.x] + dx, row[axes.y] + dy}));
             back.push_back(line({row[axes.x] - dx, row[axes.y] - dy}));
             for (const double way : {1.0, -1.0}) edges.push_back({row[axes.x] + way * dx, row[axes.y] + way * dy});
         }
-    for (auto point = back.rbegin(); point != back.rend(); ++point) there += *point;
-    return there;
+    close();
+    return outlines;
 }
 
 void add_markers(const Curve& curve, const PlotAxes& axes, std::size_t max_markers, Blocks& blocks) {

@@ -15,8 +15,8 @@ struct Blocks {
     std::vector<std::array<double, 2>> points;  ///< points of `stable` and `unstable`
     std::vector<std::array<double, 2>> edges;   ///< points of the bands
     std::string markers;                        ///< converged steps
-    std::string band;                           ///< closed outline of the mesh error
-    std::string tolerances;                     ///< closed outline of the band of tolerances
+    std::string band;                           ///< closed outlines of the mesh error
+    std::string tolerances;                     ///< closed outlines of the band of tolerances
     std::string bars;                           ///< "x y xlow xhigh ylow yhigh" at the markers
     std::string limits, bifurcations;           ///< "x y label"
     std::string arrows;                         ///< "x y dx dy" in the middle of each stage, where there are several

@@ -67,6 +67,9 @@ claim "the pressure is constant while it is held" [ "$(column pressure_kPa hold.
 
 runs 'postprocess -q volume.h5 --tolerances material.softening.m=10% --plot band.svg --x time --y pressure -o band.csv'
 claim "the band of the pressure is at equal times" awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) c[$i] = i } END { exit !($c["band_rss_pressure_kPa"] > 0) }' band.csv
+runs 'postprocess -q pressure.h5 --tolerances geometry.inner_radius=0.3mm --plot loop.svg -o loop.csv'
+claim "with a prescribed pressure the plot has the band of the elongation: four stages and the legend" \
+    [ "$(grep -c "<polygon fill = 'rgb(230, 159,   0)' fill-opacity" loop.svg)" = 5 ]
 cat >rubbers.yaml <<'END'
 design: pressure.yaml
 vary: {material.viscoelastic.moduli.1: [0.2, 0.4]}
