@@ -176,10 +176,12 @@ int AtomicFile::link_temporary_name() {
 WriteStatus AtomicFile::write(std::span<const std::byte> bytes) { return write_all(descriptor_, bytes, name_); }
 
 void AtomicFile::commit() {
-    int error = written_.empty() ? link_temporary_name() : 0;
-    const int descriptor = std::exchange(descriptor_, -1);
-    if (::close(descriptor) != 0 && error == 0) error = errno;
+    // Closing reports failures of delayed writes. A duplicate is closed, so that only the rename follows the link: a process that is
+    // killed between both leaves the temporary name.
+    int error = ::close(::dup(descriptor_)) == 0 ? 0 : errno;
+    if (error == 0 && written_.empty()) error = link_temporary_name();
     if (error == 0 && renames_ && ::rename(written_.c_str(), target_.c_str()) != 0) error = errno;
+    ::close(std::exchange(descriptor_, -1));
     if (error == 0) return;
     if (renames_ && !written_.empty()) ::unlink(written_.c_str());
     throw Error(ExitCode::io_error, name_, "cannot be written: " + reason(error));
