@@ -65,7 +65,7 @@ struct StepCoefficients {
 /// Of a path that is infinitely fast throughout.
 [[nodiscard]] StepCoefficients instantaneous_coefficients(const Inelastic& inelastic);
 
-/// The energy of a step from that of the law, W, without H : E. Only its derivatives: the value of the result is that of the law.
+/// The energy of a step from that of the law, W, without H : E. Only its derivatives are meant; its value is not computed.
 struct EnergyOfStep {
     double factor = 1;
     const Softening* softening = nullptr;
@@ -73,7 +73,8 @@ struct EnergyOfStep {
 
     template <int N>
     [[nodiscard]] Dual<N> operator()(const Dual<N>& W) const {
-        const Softening::Slopes by_W = softening == nullptr ? Softening::Slopes{} : softening->slopes(W.v, W_max);
+        if (softening == nullptr) return factor == 1.0 ? W : factor * W;
+        const Softening::Slopes by_W = softening->slopes(W.v, W_max);
         return Dual<N>::compose(W, W.v, factor * by_W.eta, factor * by_W.slope);
     }
 };
