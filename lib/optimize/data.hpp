@@ -2,7 +2,8 @@
 /// The rows of the measured curves of a goal as conditions: one for each row and measured quantity other than `at`, with the standard
 /// deviation `within` times the largest value of the quantity. `at` is the load unless it is given, or the time if the file has it; where
 /// the load has an extremum in the file, the first output that has none. A load that the design states over time is not compared. Rows with
-/// `at` outside `from` to `to`, and rows at which all quantities are 0 (the undeformed state, which every design has), are left out. Columns are found as by `postprocess --compare` (post/measured.hpp).
+/// `at` outside `from` to `to`, and rows at which all quantities are 0 (the undeformed state, which every design has), are left out.
+/// Columns are found as by `postprocess --compare` (post/measured.hpp).
 /// Tested by optimize/data_test and pipeline/calibration.
 #include <span>
 

@@ -3,10 +3,11 @@
 /// A row satisfies R(x, lambda, p; theta) = 0 and e_k(..; theta) = 0 (newton.hpp). Its derivative at a fixed position along the path,
 ///   M (dx, dlambda, dp) = -(dR/dtheta, de/dtheta, 0),     M the bordered matrix of the row with the constraint t . dx = 0, t = dx/dq,
 /// exists at limit points too. In a stage with a time the constraint is lambda instead, so the derivative is at a fixed time.
-/// dR/dtheta, de/dtheta and the derivatives of the outputs are differences between two systems with theta a little smaller and larger (geometry/variations.hpp), at the same state and at the states moved along the derivative; so they include
-/// whatever depends on theta: nodes, constants, loads, contact, definitions of outputs. Each system has internal variables of its own, which
-/// follow the moved states along the path, so the derivatives are those of the computed path in its steps. With D the derivative of the
-/// leading load or of an output, and T their slopes along the path, the derivative
+/// dR/dtheta, de/dtheta and the derivatives of the outputs are differences between two systems with theta a little smaller and larger
+/// (geometry/variations.hpp), at the same state and at the states moved along the derivative; so they include whatever depends on theta:
+/// nodes, constants, loads, contact, definitions of outputs. Each system has internal variables of its own, which follow the moved states
+/// along the path, so the derivatives are those of the computed path in its steps. With D the derivative of the leading load or of an
+/// output, and T their slopes along the path, the derivative
 ///   of the load at a fixed output is D_load - T_load D_output / T_output, at a limit point that of the limit load,
 ///   of the output at a fixed load  D_output - T_output D_load / T_load,
 /// and D itself at a fixed time.

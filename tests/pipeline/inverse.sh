@@ -69,15 +69,14 @@ claim "and the end of the range" grep -q '^# geometry.wall: 4 mm, at the end of 
 goal 'vary: {geometry.wal: {from: 2 mm, to: 4 mm}}
 targets: [{elongation: 60 mm, at: {pressure: 20 kPa}}]'
 refuses 65 'optimize: vary.geometry.wal: is neither a number of the design that differs from 0 nor a count; did you mean*' 'optimize goal.yaml -q'
-goal 'vary: {geometry.wall: {from: 2 mm, to: 4 mm}}
-targets: [{elongatio: 60 mm, at: {pressure: 20 kPa}}]'
-refuses 65 "optimize: elongatio at pressure 20 kPa: 'elongatio' is neither the load nor an output*" 'optimize goal.yaml -q --starts 1'
-goal 'vary: {geometry.wall: {from: 2 mm, to: 4 mm}}
-targets: [{elongation: 0.5 kPa, at: {pressure: 20 kPa}}]'
-refuses 65 "optimize: elongation at pressure 20 kPa: '0.5 kPa' is a pressure where a length is needed*" 'optimize goal.yaml -q --starts 2 --jobs 2'
-goal 'vary: {geometry.wall: {from: 2 mm, to: 4 mm}}
-targets: [{elongation: 60 mm, at: {pressure: 20 mm}}]'
-refuses 65 "optimize: elongation at pressure 20 mm: '20 mm' is a length where a pressure is needed*" 'optimize goal.yaml -q --starts 1'
+refuses_target() {   # TARGET MESSAGE OPTION...
+    goal "vary: {geometry.wall: {from: 2 mm, to: 4 mm}}
+targets: [{$1}]"
+    refuses 65 "optimize: $2" "optimize goal.yaml -q ${*:3}"
+}
+refuses_target 'elongatio: 60 mm, at: {pressure: 20 kPa}' "elongatio at pressure 20 kPa: 'elongatio' is neither the load nor an output*" --starts 1
+refuses_target 'elongation: 0.5 kPa, at: {pressure: 20 kPa}' "elongation at pressure 20 kPa: '0.5 kPa' is a pressure where a length is needed*" --starts 2 --jobs 2
+refuses_target 'elongation: 60 mm, at: {pressure: 20 mm}' "elongation at pressure 20 mm: '20 mm' is a length where a pressure is needed*" --starts 1
 refuses 66 'optimize: *nowhere.yaml*' 'optimize nowhere.yaml -q'
 refuses 73 'optimize: nowhere/found.yaml: cannot be created: *' 'optimize goal.yaml -q -o nowhere/found.yaml'
 refuses 73 'optimize: nowhere/report.json: cannot be created: *' 'optimize goal.yaml -q --json nowhere/report.json'
