@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
+#include <optional>
 
 #include "contact/crossing.hpp"
 
@@ -10,10 +10,9 @@ namespace soft::contact {
 
 namespace {
 
-/// Boxes grow by this fraction of the longest side of the undeformed facet, and a search holds until nodes have moved by the fraction
-/// `reach` of the shortest: points of second-order facets move by up to 5/3 of that, and pairs act from 0.2 facet sizes on. So every pair
-/// that acts is a candidate, whatever states came before.
-constexpr double growth = 0.4, reach = 0.06;
+/// A search holds until nodes have moved by this fraction of the longest side of the smallest undeformed facet. Boxes grow by what points
+/// may move then, and by the range of their facet. So every pair that acts is a candidate, whatever states came before.
+constexpr double reach = 0.06;
 /// Neighbouring facets may act on each other where their normals are this close to facing each other. Unless rubber is compressed along the
 /// surface, they do so only at smaller angles, so that no force begins with a jump.
 constexpr double folding_angle = 1.0;
@@ -35,16 +34,15 @@ bool may_fold(NormalCone a, const NormalCone& b, double angle) {
 /// Computes a cone once.
 class Cones {
 public:
-    explicit Cones(std::span<const Patch> patches) : patches_(patches) {}
+    explicit Cones(std::span<const Patch> patches) : patches_(patches), cones_(patches.size()) {}
     const NormalCone& operator()(std::size_t i) {
-        auto known = cones_.find(i);
-        if (known == cones_.end()) known = cones_.emplace(i, normals(patches_[i])).first;
-        return known->second;
+        if (!cones_[i]) cones_[i] = normals(patches_[i]);
+        return *cones_[i];
     }
 
 private:
     std::span<const Patch> patches_;
-    std::map<std::size_t, NormalCone> cones_;
+    std::vector<std::optional<NormalCone>> cones_;
 };
 
 }  // namespace
@@ -59,7 +57,7 @@ std::vector<Candidates::Pair> Candidates::search(std::span<const Patch> from, st
     std::vector<surface::Box> boxes;
     const auto entries = surface_.entries();
     for (std::size_t i = 0; i < entries.size(); ++i) {
-        const double margin_m = surface_.distance_m() + growth * longest_side(entries[i].undeformed);
+        const double margin_m = entries[i].range_m + of_nodal_motion * reach_m_;
         surface::Box& box = boxes.emplace_back(surface::Box{from[i].low, from[i].high});
         for (std::size_t d = 0; d < 3; ++d) {
             box.low[d] = std::min(box.low[d], to[i].low[d]) - margin_m;
@@ -105,12 +103,11 @@ std::vector<std::vector<std::size_t>> Candidates::between(std::span<const Patch>
     }
     std::vector<std::vector<std::size_t>> others(surface_.free_count());
     Cones cones(from);
-    for (const Pair& pair : fresh ? on_the_way : pairs_) {
+    for (const Pair& pair : fresh ? on_the_way : pairs_) {  // ascending, so that each list is
         if (pair.may_fold && !may_fold(cones(pair.first), cones(pair.second), folding_angle)) continue;
         others[pair.first].push_back(pair.second);
         if (pair.second < surface_.free_count()) others[pair.second].push_back(pair.first);
     }
-    for (auto& list : others) std::ranges::sort(list);
     return others;
 }
 

@@ -231,6 +231,7 @@ void ContactSurface::set_contact_distances(double share) {
             entry.h_m.push_back(h);
         }
         entry.distance_m = *std::ranges::max_element(entry.h_m);
+        entry.range_m = std::max(entry.distance_m, overlap_share_of_size * entry.size_m);
         distance_m_ = std::max(distance_m_, entry.distance_m);
     }
 }

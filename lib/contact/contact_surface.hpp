@@ -23,6 +23,9 @@ struct SampleRule {
 };
 [[nodiscard]] SampleRule sample_rule(mesh::CellType facet);
 
+/// A point behind a facet by less than this fraction of its own facet's size overlaps with it.
+inline constexpr double overlap_share_of_size = 0.2;
+
 /// How two facets of the actuator lie to each other in the undeformed state. Sides of a groove are neighbours with air between them; between
 /// the sides of a wall, or of one cell, is rubber.
 enum class Adjacency { apart, neighbours, sides_of_a_groove, sides_of_a_wall };
@@ -45,6 +48,7 @@ public:
         double stiffness_Pa = 0;        ///< k
         std::vector<double> h_m;        ///< contact distance of the sample points
         double distance_m = 0;          ///< the largest of them
+        double range_m = 0;             ///< facets farther than this do not act on its points
     };
     [[nodiscard]] std::span<const Entry> entries() const { return entries_; }
     [[nodiscard]] std::size_t free_count() const {

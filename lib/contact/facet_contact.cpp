@@ -10,8 +10,6 @@ namespace {
 
 using mesh::Point;
 
-/// A point behind a facet by less than this fraction of its own facet's size overlaps with it.
-constexpr double overlap_share_of_size = 0.2;
 /// Rubber between two surfaces is rarely compressed to less than this fraction of its thickness.
 constexpr double least_compression = 0.2;
 /// Cosine of the angle to the normal of a facet beyond which a point is neither in its plane nor rounding decides the side.

@@ -48,16 +48,26 @@ const Table& table_of(mesh::CellType type) {
 }
 
 /// Each monomial s^i t^j of a quadrilateral or line lies in [0, 1] for even i and j, else in [-1, 1]; of a triangle always in [0, 1].
-void find_box(Patch& patch) {
+void find_boxes(Patch& patch) {
     const bool triangle = mesh::topology(patch.type).shape == mesh::Shape::triangle;
+    const auto middle = patch({});
+    const Vector3 normal = cross(middle.t1, middle.t2);
+    patch.axes[0] = along({}, 1 / norm(middle.t1), middle.t1);
+    patch.axes[2] = along({}, 1 / norm(normal), normal);
+    patch.axes[1] = cross(patch.axes[2], patch.axes[0]);
     patch.low = patch.high = patch.c[0];
-    for (std::size_t k = 1; k < 9; ++k)
+    for (std::size_t d = 0; d < 3; ++d) patch.oriented_low[d] = patch.oriented_high[d] = dot(patch.axes[d], patch.c[0]);
+    for (std::size_t k = 1; k < 9; ++k) {
+        const bool even = triangle || (k / 3 % 2 == 0 && k % 3 % 2 == 0);
+        const auto add = [even](double c, double& low, double& high) {
+            low += even ? std::fmin(c, 0) : -std::abs(c);
+            high += even ? std::fmax(c, 0) : std::abs(c);
+        };
         for (std::size_t d = 0; d < 3; ++d) {
-            const double c = patch.c[k][d];
-            const bool even = triangle || (k / 3 % 2 == 0 && k % 3 % 2 == 0);
-            patch.low[d] += even ? std::fmin(c, 0) : -std::abs(c);
-            patch.high[d] += even ? std::fmax(c, 0) : std::abs(c);
+            add(patch.c[k][d], patch.low[d], patch.high[d]);
+            add(dot(patch.axes[d], patch.c[k]), patch.oriented_low[d], patch.oriented_high[d]);
         }
+    }
 }
 
 }  // namespace
@@ -95,7 +105,7 @@ Patch make_patch(const surface::FacetMap& facet) {
         patch.centre = along(patch.centre, 1.0 / static_cast<double>(nodes), facet.nodes[a]);
     for (std::size_t a = 0; a < nodes; ++a)
         patch.radius_m = std::max(patch.radius_m, beyond_ball * norm(difference(facet.nodes[a], patch.centre)));
-    find_box(patch);
+    find_boxes(patch);
     return patch;
 }
 

@@ -10,13 +10,19 @@
 
 namespace soft::contact {
 
+/// Largest motion of a point of a second-order facet over that of its nodes: the sum of the absolute shape functions (25/16 in a
+/// quadrilateral, 5/3 in a triangle).
+inline constexpr double of_nodal_motion = 5.0 / 3;
+
 struct Patch {
     mesh::CellType type = mesh::CellType::line2;
     std::array<mesh::Point, 9> nodes{};  ///< the first node_count(type)
     std::array<Vector3, 9> c{};          ///< c_ij at 3 i + j
     mesh::Point centre{};
-    double radius_m = 0;        ///< of a sphere about the centre that contains the facet
-    mesh::Point low{}, high{};  ///< of a box that contains it
+    double radius_m = 0;            ///< of a sphere about the centre that contains the facet
+    mesh::Point low{}, high{};      ///< of a box that contains it
+    std::array<Vector3, 3> axes{};  ///< of another such box, along the tangents and normal in the middle: unit vectors
+    mesh::Point oriented_low{}, oriented_high{};  ///< along these axes
 
     [[nodiscard]] bool is_line() const { return mesh::dimension(type) == 1; }
     [[nodiscard]] surface::FacetMap::Value operator()(const surface::FacetPoint& xi) const;
@@ -27,8 +33,17 @@ struct Patch {
 /// A lower bound of the distance of a point.
 [[nodiscard]] inline double at_least(const Patch& patch, const mesh::Point& x) {
     Vector3 beyond{};
-    for (std::size_t d = 0; d < 3; ++d) beyond[d] = std::fmax(0, std::fmax(patch.low[d] - x[d], x[d] - patch.high[d]));
-    return std::fmax(norm(beyond), norm(difference(x, patch.centre)) - patch.radius_m);
+    for (std::size_t d = 0; d < 3; ++d) {
+        const double at = dot(patch.axes[d], x);
+        beyond[d] = std::fmax(0, std::fmax(patch.oriented_low[d] - at, at - patch.oriented_high[d]));
+    }
+    return norm(beyond);
+}
+/// The same of two facets.
+[[nodiscard]] inline double at_least(const Patch& a, const Patch& b) {
+    Vector3 beyond{};
+    for (std::size_t d = 0; d < 3; ++d) beyond[d] = std::fmax(0, std::fmax(a.low[d] - b.high[d], b.low[d] - a.high[d]));
+    return norm(beyond);
 }
 
 }  // namespace soft::contact

@@ -60,7 +60,9 @@ public:
                             Summary& summary, const std::function<void(const Block&)>& to) {
         std::vector<std::size_t> near;
         for (const std::size_t j : others)
-            if (separations.clearance_m(i, j, at.patches) <= 0) near.push_back(j);
+            if (at_least(at.patches[i], at.patches[j]) <= surface.entries()[i].range_m &&
+                separations.clearance_m(i, j, at.patches) <= 0)
+                near.push_back(j);
         FacetContact facet(at, i, near, summary);
         facet.add(to);
         for (std::size_t k = 0; k < near.size(); ++k) separations.set(i, near[k], facet.clearances_m()[k], at.patches);

@@ -7,10 +7,6 @@ namespace soft::contact {
 
 namespace {
 
-/// Largest motion of a point of a second-order facet over that of its nodes: the sum of the absolute shape functions (25/16 in a
-/// quadrilateral, 5/3 in a triangle).
-constexpr double of_nodal_motion = 5.0 / 3;
-
 std::span<const mesh::Point> nodes_of(const Patch& patch) {
     return std::span{patch.nodes}.first(static_cast<std::size_t>(mesh::node_count(patch.type)));
 }
