@@ -57,14 +57,17 @@ std::optional<PathPoint> Corrector::solve_from(const Frame& frame, const Constra
     return measure(frame, std::move(guess), std::move(*tangent));
 }
 
-std::optional<PathPoint> Corrector::solve_between(const Frame& frame, const PathPoint& a, const PathPoint& b,
-                                                  double q) {
+std::optional<PathPoint> Corrector::solve_between(const Frame& frame, const PathPoint& a, const PathPoint& b, double q,
+                                                  WithContact contact) {
     State guess = predict(&a, b, q);
     Constraint constraint = bind(frame.control, a);
     constraint.scale = std::abs(b.q - a.q);
     const bool by_arc = constraint.kind == ConstraintKind::arc;
     const double target = by_arc ? value(constraint, frame.loads, guess) : q;
-    auto point = solve_at(frame, constraint, target, std::move(guess));
+    const bool rests = contact == WithContact::no;
+    if (rests) system_.contact().set_resting(true);
+    auto point = rests ? solve_from(frame, constraint, target, std::move(guess))
+                       : solve_at(frame, constraint, target, std::move(guess));
     if (point && by_arc) point->q = q;
     return point;
 }

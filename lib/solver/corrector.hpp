@@ -22,6 +22,8 @@ struct WorkCount {
     int iterations = 0, factorizations = 0;
 };
 
+enum class WithContact { no, yes };
+
 class Corrector {
 public:
     explicit Corrector(fem::System& system)
@@ -34,9 +36,9 @@ public:
     /// the iterates.
     [[nodiscard]] std::optional<PathPoint> solve_at(const Frame& frame, const Constraint& constraint, double target,
                                                     State guess);
-    /// The state at q between two points of the path.
+    /// The state at q between two points of the path. Without contact, bodies pass through each other, and the path does not bend.
     [[nodiscard]] std::optional<PathPoint> solve_between(const Frame& frame, const PathPoint& a, const PathPoint& b,
-                                                         double q);
+                                                         double q, WithContact contact = WithContact::yes);
     /// A converged state with its values. The arc length continues from the frame's last point.
     [[nodiscard]] PathPoint measure(const Frame& frame, State state, PathTangent tangent);
     /// Value of a constraint at a state.

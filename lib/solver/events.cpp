@@ -26,6 +26,8 @@ constexpr double same_mode = 0.9;
 constexpr double apart = 0.05;
 /// The step in which contact occurs is halved this many times: where the path ends there, and where a row follows.
 constexpr int contact_halvings = 8, first_contact_halvings = 12;
+/// Of the resolution of the first contact: the distance from it of the states that are solved for.
+constexpr double beside_contact = 0.4;
 
 /// A vector without any symmetry, the same in every run and on any number of ranks.
 linalg::Vector generic_vector(const fem::System& system) {
@@ -221,16 +223,49 @@ contact::Summary contact_at(Corrector& corrector, const PathState& path, const S
     return corrector.system().contact().measure(state.x);
 }
 
+/// The first state in contact. Without contact, so that bodies pass through each other, the path does not bend: the cubic between two of its
+/// states tells where the next ones are solved for, on both sides of the contact. nullopt where this fails.
+std::optional<PathPoint> first_in_contact(Corrector& corrector, const PathState& path, const PathPoint& to) {
+    const Frame frame = frame_of(path);
+    const double resolution = std::ldexp(to.q - path.last->q, -first_contact_halvings),
+                 margin = beside_contact * std::abs(resolution);
+    Bracket bracket{*path.last, to, {}, corrector.solve_between(frame, *path.last, to, to.q, WithContact::no)};
+    for (int i = 0; i < first_contact_halvings && bracket.right && bracket.right->touches; ++i) {
+        const PathPoint &a = bracket.low(), &b = bracket.high();
+        if (std::abs(b.q - a.q) <= std::abs(resolution)) {
+            auto touching = corrector.solve_between(frame, a, b, b.q);
+            return touching && touching->touches ? std::move(touching) : std::nullopt;
+        }
+        double before = a.q, after = b.q;
+        while (std::abs(after - before) > margin) {
+            const double middle = 0.5 * (before + after);
+            (contact_at(corrector, path, predict(&a, b, middle)).touches() ? after : before) = middle;
+        }
+        double q = i % 2 == 0 ? before - beside_contact * resolution : after + beside_contact * resolution;
+        if ((q - a.q) * (b.q - q) <= 0.0) q = 0.5 * (a.q + b.q);
+        auto point = corrector.solve_between(frame, a, b, q, WithContact::no);
+        if (!point) break;
+        (point->touches ? bracket.right : bracket.left) = std::move(point);
+    }
+    return std::nullopt;
+}
+
 /// Bisects on states of the path: a cubic between both states does not bend where the path does, at the contact.
-std::optional<Event> locate_first_contact(Corrector& corrector, const PathState& path, const PathPoint& to) {
-    if (!to.touches || path.last->touches) return std::nullopt;
-    std::optional<PathPoint> before, touching;
+std::optional<PathPoint> bisect_first_contact(Corrector& corrector, const PathState& path, const PathPoint& to) {
+    Bracket bracket{*path.last, to};
     for (int i = 0; i < first_contact_halvings; ++i) {
-        const PathPoint &a = before ? *before : *path.last, &b = touching ? *touching : to;
+        const PathPoint &a = bracket.low(), &b = bracket.high();
         auto middle = corrector.solve_between(frame_of(path), a, b, 0.5 * (a.q + b.q));
         if (!middle) break;
-        (middle->touches ? touching : before) = std::move(middle);
+        (middle->touches ? bracket.right : bracket.left) = std::move(middle);
     }
+    return std::move(bracket.right);
+}
+
+std::optional<Event> locate_first_contact(Corrector& corrector, const PathState& path, const PathPoint& to) {
+    if (!to.touches || path.last->touches) return std::nullopt;
+    auto touching = first_in_contact(corrector, path, to);
+    if (!touching) touching = bisect_first_contact(corrector, path, to);
     const contact::Summary touch = contact_at(corrector, path, touching ? touching->state : to.state);
     if (!touching) return std::nullopt;
     return Event{Event::Kind::first_contact, std::move(*touching), 0, {}, touch.touched, *touch.location};
