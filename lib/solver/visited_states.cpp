@@ -142,7 +142,7 @@ std::optional<Return> backward_return(const Path& path, std::size_t last) {
     std::size_t first = last;
     while (first > 0) {
         const auto match = path.match(first - 1, -1.0);
-        if (!match || match->position < position) break;
+        if (!match || match->position < position || match->distance > beside_the_path * path.length()) break;
         position = match->position;
         --first;
     }

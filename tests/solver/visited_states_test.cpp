@@ -77,6 +77,14 @@ TEST(VisitedStates, AFoldOfOnePartIsNoReversal) {
     EXPECT_FALSE(first_found(path, Return::Sense::backward));
 }
 
+// A path that comes back beside its earlier states and passes them at one point only, at an angle whose cosine is 0.96.
+TEST(VisitedStates, APathThatCrossesItsEarlierStatesIsNoReversal) {
+    std::vector<VisitedState> path;
+    for (int i = 0; i <= 50; ++i) path.push_back(state_at(i, 0, 0));
+    for (int i = 0; i <= 40; ++i) path.push_back(state_at(45 - 0.5 * i, 3 - 0.15 * i, std::numbers::pi + 0.2915));
+    EXPECT_FALSE(first_found(path, Return::Sense::backward));
+}
+
 // Two successive folds, at each of which one of many cells snaps through: the path continues beyond them.
 TEST(VisitedStates, TwoFoldsAreNoReversal) {
     std::vector<VisitedState> path;
