@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
+#include <span>
 
 #include "mesh/shape.hpp"
 
@@ -60,6 +62,31 @@ TEST_P(ClosestPointOf, IsNoFartherThanAnyPointOfTheFacet) {
         EXPECT_NEAR(dot(difference(x, at.x), at.t1), 0, 1e-9);
         if (!line) {
             EXPECT_NEAR(dot(difference(x, at.x), at.t2), 0, 1e-9);
+        }
+    }
+}
+
+TEST_P(ClosestPointOf, BoundsDoNotExceedDistancesOfTurnedFacets) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    const auto turned_patch = [&] {
+        const Patch flat = curved_patch(GetParam(), 0.6, random);
+        const double angle = 3 * uniform(random), c = std::cos(angle), s = std::sin(angle);
+        const Point offset{2 * uniform(random), 2 * uniform(random), flat.is_line() ? 0 : 2 * uniform(random)};
+        surface::FacetMap map{flat.type, flat.nodes};
+        for (Point& x : map.nodes)
+            x = flat.is_line() ? Point{c * x[0] - s * x[1], s * x[0] + c * x[1], 0}
+                               : Point{c * x[0] - s * x[2], c * x[1] + s * (s * x[0] + c * x[2]),
+                                       c * (s * x[0] + c * x[2]) - s * x[1]};
+        for (Point& x : map.nodes) x = along(x, 1, offset);
+        return make_patch(map);
+    };
+    for (int trial = 0; trial < 20; ++trial) {
+        const Patch a = turned_patch(), b = turned_patch();
+        for (const auto& node : std::span{b.nodes}.first(static_cast<std::size_t>(mesh::node_count(b.type)))) {
+            const double distance = sampled_distance(a, node);
+            EXPECT_LE(at_least(a, node), distance + 1e-12);
+            EXPECT_LE(at_least(a, b), distance + 1e-12);
         }
     }
 }
