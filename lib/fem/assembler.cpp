@@ -184,18 +184,12 @@ void Assembler::add_contact(const Targets& to, Mat K) const {
     const linalg::ScopedTimer timed(linalg::Phase::contact);
     const auto wanted = K != nullptr ? contact::Wanted::hessian : contact::Wanted::gradient;
     if (K != nullptr) SOFT_PETSC(MatSetOption(K, MAT_NEW_NONZERO_ALLOCATION_ERR, PETSC_FALSE));
-    PetscObjectState pattern = 0, pattern_now = 0;
-    if (K != nullptr) SOFT_PETSC(MatGetNonzeroState(K, &pattern));
-    pattern_now = pattern;
     const auto add = [&](std::span<const PetscInt> dofs, const contact::Block& block) {
         const auto size = static_cast<PetscInt>(dofs.size());
         SOFT_PETSC(VecSetValues(to.R, size, dofs.data(), block.gradient.data(), ADD_VALUES));
         if (K == nullptr) return;
-        for (const auto& column : to.columns) subtract_moved(column, dofs, block.hessian);
-        if (pattern_now != pattern)
-            return;  // K will be made anew (pattern_grew): each new row would copy the whole matrix
         SOFT_PETSC(MatSetValues(K, size, dofs.data(), size, dofs.data(), block.hessian.data(), ADD_VALUES));
-        SOFT_PETSC(MatGetNonzeroState(K, &pattern_now));
+        for (const auto& column : to.columns) subtract_moved(column, dofs, block.hessian);
     };
     contact_.evaluate(wanted, add);
 }
