@@ -33,10 +33,11 @@ solver::ContactCheck contact_check(fem::System& system) {
     const auto finder = rank == 0 ? std::make_shared<const contact::ContactFinder>(system.input()) : nullptr;
     return [&system, finder](Vec x) {
         const auto fields = system.fields().gather(x);
+        const auto shifts = system.contact().shifts(x);
         std::optional<solver::ContactEvent> found;
         const linalg::ScopedTimer timed(linalg::Phase::contact);
         if (finder)
-            if (auto contact = finder->find(fields.displacement_m))
+            if (auto contact = finder->find(fields.displacement_m, shifts))
                 found = {std::move(contact->text),
                          contact->is_inverted ? model::StopReason::inverted_element : model::StopReason::self_contact};
         return from_first_rank(found, system.comm());

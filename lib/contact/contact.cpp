@@ -14,6 +14,7 @@
 #include "contact/crossing.hpp"
 #include "contact/hinges.hpp"
 #include "contact/inverted_wall.hpp"
+#include "contact/signed_distance.hpp"
 #include "mesh/mesh.hpp"
 #include "model/location.hpp"
 #include "surface/free_facets.hpp"
@@ -24,12 +25,13 @@ namespace {
 using mesh::Facet;
 using mesh::Point;
 
-enum class Kind { pair, plane, axis, wall };
+enum class Kind { pair, plane, axis, obstacle, wall };
 
 struct Found {
     Kind kind;
     Point location;
     std::array<std::size_t, 2> facets;
+    std::size_t obstacle = 0;
     bool operator<(const Found& other) const {
         return std::tie(location[0], facets, kind) < std::tie(other.location[0], other.facets, other.kind);
     }
@@ -45,6 +47,8 @@ std::map<Facet, std::string> face_names(const model::Case& model) {
         for (const Facet& facet : facets) names.emplace(facet, name);
     return names;
 }
+
+double size_m(const surface::Box& box) { return norm(difference(box.high, box.low)); }
 
 /// How far a facet extends beyond the plane where coordinate d is zero.
 struct Depth {
@@ -92,6 +96,8 @@ public:
             for (const Point& p : mesh_.points) sum += p[d];
             sides_[d] = sum < 0 ? -1 : 1;
         }
+        for (const model::Obstacle& obstacle : model.obstacles)
+            obstacles_.push_back({obstacle.name, signed_distance(obstacle), {}});
         exclude_initial_contacts();
     }
 
@@ -104,7 +110,10 @@ public:
         return positions;
     }
 
-    [[nodiscard]] std::optional<Contact> find(const std::vector<Point>& positions) const {
+    [[nodiscard]] std::optional<Contact> find(const std::vector<Point>& positions,
+                                              std::span<const Vector3> shifts) const {
+        if (!shifts.empty() && shifts.size() != obstacles_.size())
+            throw std::logic_error("ContactFinder: a displacement for each obstacle, or none");
         std::optional<Found> best;
         const auto keep = [&best](const Found& found) {
             if (!best || found < *best) best = found;
@@ -126,9 +135,20 @@ public:
         for (std::size_t f = 0; f < facets_.size(); ++f)
             for (std::size_t d = 0; d < 3; ++d)
                 if (mirrors_[d] && !initially_beyond_[d].contains(f))
-                    if (const Depth at = depth(f, d, positions);
-                        at.depth_m > std::max(tolerance_m_, allowed_depth_m(f)) && faces_plane(f, d, at.xi, positions))
-                        keep({kind_of(d), undeformed_location(f, at.xi), {f, f}});
+                    if (const Depth at = depth(f, d, positions); at.depth_m > tolerance_m_) {
+                        const bool through_air = faces_plane(f, d, at.xi, positions);
+                        if (through_air && at.depth_m > allowed_depth_m(f))
+                            keep({kind_of(d), undeformed_location(f, at.xi), {f, f}});
+                        else if (!through_air && has_inverted_cell(mesh_, std::span{&facets_.facet(f), 1}, positions))
+                            keep({Kind::wall, undeformed_location(f, at.xi), {f, f}});
+                    }
+        for (std::size_t k = 0; k < obstacles_.size(); ++k)
+            for (std::size_t f = 0; f < facets_.size(); ++f) {
+                if (obstacles_[k].initially_touched.contains(f)) continue;
+                const Depth at = depth_in(k, f, now, shifts.empty() ? Vector3{} : shifts[k]);
+                if (at.depth_m > std::max(tolerance_m_, allowed_depth_m(f)))
+                    keep({Kind::obstacle, undeformed_location(f, at.xi), {f, f}, k});
+            }
         return best ? std::optional(contact(*best)) : std::nullopt;
     }
 
@@ -155,6 +175,11 @@ private:
         for (std::size_t f = 0; f < facets_.size(); ++f)
             for (std::size_t d = 0; d < 3; ++d)
                 if (mirrors_[d] && depth(f, d, mesh_.points).depth_m > tolerance_m_) initially_beyond_[d].insert(f);
+        // Contact that is solved holds such facets, too, and the depth that it allows is far above the tolerance.
+        if (allowed_share_ > 0) return;
+        for (std::size_t k = 0; k < obstacles_.size(); ++k)
+            for (std::size_t f = 0; f < facets_.size(); ++f)
+                if (depth_in(k, f, undeformed_, {}).depth_m > -tolerance_m_) obstacles_[k].initially_touched.insert(f);
     }
 
     [[nodiscard]] std::vector<NormalCone> normal_cones(const DividedShape& shape) const {
@@ -179,10 +204,7 @@ private:
         return find_crossing({&fine, 0, 1}, fine.shape(mesh_.points), fine.shape(positions)).has_value();
     }
 
-    [[nodiscard]] double allowed_depth_m(std::size_t f) const {
-        const surface::Box& box = undeformed_.boxes[f];
-        return allowed_share_ * norm(difference(box.high, box.low));
-    }
+    [[nodiscard]] double allowed_depth_m(std::size_t f) const { return allowed_share_ * size_m(undeformed_.boxes[f]); }
 
     /// Whether a point of one facet lies deeper behind the other than contact that is solved allows.
     [[nodiscard]] bool is_deep(const FacetPair& pair, const std::vector<Point>& positions) const {
@@ -262,6 +284,21 @@ private:
         return deepest(map, facets_.division(f), d, sides_[d]);
     }
 
+    /// The deepest point of the subdivided facet in an obstacle that has moved by `shift`; -infinity where all are far outside.
+    [[nodiscard]] Depth depth_in(std::size_t k, std::size_t f, const DividedShape& shape, const Vector3& shift) const {
+        const surface::Box& box = shape.boxes[f];
+        Point centre{};
+        for (std::size_t d = 0; d < 3; ++d) centre[d] = 0.5 * (box.low[d] + box.high[d]);
+        const SignedDistance& distance = obstacles_[k].distance;
+        Depth deepest{-std::numeric_limits<double>::infinity()};
+        if (distance(difference(centre, shift)) > 0.5 * size_m(box) + tolerance_m_) return deepest;
+        const std::span<const Point> points = facets_.points(shape, f);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            if (const double depth_m = -distance(difference(points[i], shift)); depth_m > deepest.depth_m)
+                deepest = {depth_m, facets_.division(f).xi[i]};
+        return deepest;
+    }
+
     [[nodiscard]] Kind kind_of(std::size_t d) const {
         return kinematics_ == model::Kinematics::axisymmetric && d == 1 ? Kind::axis : Kind::plane;
     }
@@ -289,6 +326,10 @@ private:
             result.text = face + " touches the axis";
         else if (found.kind == Kind::plane)
             result.text = face + " touches its mirror image";
+        else if (found.kind == Kind::obstacle)
+            result.text = face + " touches the obstacle '" + obstacles_[found.obstacle].name + "'";
+        else if (found.kind == Kind::wall && found.facets[0] == found.facets[1])
+            result.text = "the wall between " + face + " and a symmetry plane is inverted";
         else if (found.kind == Kind::wall)
             result.text = "the wall between " + face + " and " + other + " is inverted";
         else if (first == second)
@@ -314,6 +355,12 @@ private:
     std::set<std::array<int, 2>> initial_contacts_;  ///< pairs of facets that touch in the undeformed body
     std::array<std::set<std::size_t>, 3> initially_beyond_;  ///< facets beyond each mirror plane in the undeformed body
     std::vector<Hinge> hinges_;
+    struct Obstacle {
+        std::string name;
+        SignedDistance distance;
+        std::set<std::size_t> initially_touched;  ///< facets, where contact is not solved
+    };
+    std::vector<Obstacle> obstacles_;
 };
 
 ContactFinder::ContactFinder(const model::Case& model) : surface_(std::make_unique<Surface>(model)) {}
@@ -321,8 +368,9 @@ ContactFinder::~ContactFinder() = default;
 ContactFinder::ContactFinder(ContactFinder&&) noexcept = default;
 ContactFinder& ContactFinder::operator=(ContactFinder&&) noexcept = default;
 
-std::optional<Contact> ContactFinder::find(std::span<const double> displacement_m) const {
-    return surface_->find(surface_->current_positions(displacement_m));
+std::optional<Contact> ContactFinder::find(std::span<const double> displacement_m,
+                                           std::span<const Vector3> shifts) const {
+    return surface_->find(surface_->current_positions(displacement_m), shifts);
 }
 
 }  // namespace soft::contact

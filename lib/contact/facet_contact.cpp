@@ -10,7 +10,7 @@ namespace {
 
 using mesh::Point;
 
-/// Rubber between two surfaces is rarely compressed to less than this fraction of its thickness.
+/// Rubber between two surfaces is rarely compressed to less than this fraction of its thickness, except where its surface grows.
 constexpr double least_compression = 0.2;
 /// Cosine of the angle to the normal of a facet beyond which a point is neither in its plane nor rounding decides the side.
 constexpr double off_the_plane = 0.1;
@@ -40,8 +40,17 @@ bool is_behind(const Feature& feature, std::span<const Patch> patches, const Poi
 
 }  // namespace
 
-bool has_passed_through(const ContactSurface::Entry& entry, std::size_t q, const Patch& undeformed, double distance_m,
-                        bool faces) {
+double area_stretch(const Patch& undeformed, const Patch& now, const surface::FacetPoint& xi, bool is_revolved) {
+    const auto before = undeformed(xi), at = now(xi);
+    const double along = norm(cross(at.t1, at.t2)) / norm(cross(before.t1, before.t2));
+    if (!is_revolved) return along;
+    const bool on_axis = before.x[1] <= same_point * norm(before.t1);
+    return along * (on_axis ? along : at.x[1] / before.x[1]);
+}
+
+bool has_passed_through(const Approach& from, const ClosestPoint& closest, bool faces) {
+    const auto& [entry, q, now, other, patch, is_revolved] = from;
+    const Patch& undeformed = other.undeformed;
     const ClosestPoint before = closest_point(undeformed, entry.X[q]);
     const auto at = undeformed(before.xi);
     const Vector3 n = cross(at.t1, at.t2), arm = difference(entry.X[q], at.x);
@@ -50,7 +59,10 @@ bool has_passed_through(const ContactSurface::Entry& entry, std::size_t q, const
     const Vector3 outward = cross(own.t1, own.t2);
     const bool through_rubber = dot(arm, outward) > off_m * norm(outward);
     if (height > off_m) return faces || (dot(n, outward) < 0 && !through_rubber);
-    return faces && ((height > -off_m && !through_rubber) || distance_m < least_compression * before.distance_m);
+    const double stretch = std::max(area_stretch(entry.undeformed, now, entry.rule->xi[q], is_revolved),
+                                    area_stretch(undeformed, patch, closest.xi, is_revolved));
+    const double thinnest_m = least_compression * before.distance_m / std::max(1.0, stretch);
+    return faces && ((height > -off_m && !through_rubber) || closest.distance_m < thinnest_m);
 }
 
 FacetContact::FacetContact(const ContactState& at, std::size_t facet, std::span<const std::size_t> others,
@@ -86,10 +98,7 @@ void FacetContact::add(const std::function<void(const Block&)>& to) {
 }
 
 double FacetContact::stretch_at(std::size_t q) const {
-    const auto now = map_(entry_.rule->xi[q]), undeformed = entry_.undeformed(entry_.rule->xi[q]);
-    const double along = norm(cross(now.t1, now.t2)) / norm(cross(undeformed.t1, undeformed.t2));
-    if (!at_.surface.is_revolved()) return along;
-    return along * (entry_.X[q][1] > same_point * entry_.size_m ? now.x[1] / entry_.X[q][1] : along);
+    return area_stretch(entry_.undeformed, map_, entry_.rule->xi[q], at_.surface.is_revolved());
 }
 
 Block& FacetContact::block_of(std::size_t key, int obstacle, std::span<const mesh::Index> others) {
@@ -156,8 +165,9 @@ bool FacetContact::has_passed(std::size_t q, const Point& x, const Feature& clos
     const Vector3 arm = difference(x, at_.patches[closest.facet](closest.closest.xi).x);
     const double along_normal = -dot(arm, closest.normal) / norm(closest.normal);
     if (!closest.closest.is_interior && along_normal < beside * norm(arm)) return false;
-    return other.obstacle >= 0 || has_passed_through(entry_, q, other.undeformed, closest.closest.distance_m,
-                                                     is_facing(map_, entry_, q, closest.normal));
+    const Patch& patch = at_.patches[closest.facet];
+    return other.obstacle >= 0 || has_passed_through({entry_, q, map_, other, patch, at_.surface.is_revolved()},
+                                                     closest.closest, is_facing(map_, entry_, q, closest.normal));
 }
 
 /// A point is behind a surface if it is behind the part of it that is closest. Then all parts behind which it lies act: the terms that have

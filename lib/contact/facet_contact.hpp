@@ -12,11 +12,25 @@
 
 namespace soft::contact {
 
-/// Whether a sample point that is `distance_m` behind a facet has passed through it. In the undeformed state it was in front of it, and faced it
-/// through air then or does now (two parts of a concave surface do not, and a fold puts one behind the other); or in its plane without rubber
-/// between them, and now faces it; or behind it, and now faces it and is closer than rubber between them can be.
-[[nodiscard]] bool has_passed_through(const ContactSurface::Entry& entry, std::size_t q, const Patch& undeformed,
-                                      double distance_m, bool faces);
+/// A sample point and another facet of the actuator.
+struct Approach {
+    const ContactSurface::Entry& entry;
+    std::size_t q;     ///< number of the point
+    const Patch& now;  ///< the entry
+    const ContactSurface::Entry& other;
+    const Patch& patch;  ///< the other facet, deformed
+    bool is_revolved;
+};
+
+/// Whether the point, which is behind its closest point on the facet, has passed through it. In the undeformed state it was in front of it, and
+/// faced it through air then or does now (two parts of a concave surface do not, and a fold puts one behind the other); or in its plane without
+/// rubber between them, and now faces it; or behind it, and now faces it and is closer than rubber between them can be, which becomes thinner as
+/// the area of its sides grows.
+[[nodiscard]] bool has_passed_through(const Approach& from, const ClosestPoint& closest, bool faces);
+
+/// Deformed over undeformed area of a facet at xi.
+[[nodiscard]] double area_stretch(const Patch& undeformed, const Patch& now, const surface::FacetPoint& xi,
+                                  bool is_revolved);
 
 /// An obstacle with a smooth surface, or a mirror plane (index -1).
 struct SmoothObstacle {

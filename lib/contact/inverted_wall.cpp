@@ -40,7 +40,11 @@ bool has_inverted_node(const mesh::Mesh& undeformed, const mesh::Mesh& deformed,
 
 bool is_wall_inverted(const mesh::Mesh& mesh, const std::array<mesh::Facet, 2>& facets,
                       std::span<const mesh::Point> positions) {
-    if (!behind_each_other(mesh, facets)) return false;
+    return behind_each_other(mesh, facets) && has_inverted_cell(mesh, facets, positions);
+}
+
+bool has_inverted_cell(const mesh::Mesh& mesh, std::span<const mesh::Facet> facets,
+                       std::span<const mesh::Point> positions) {
     std::set<Index> nodes;
     for (const mesh::Facet& facet : facets)
         for (const Index node : mesh::facet_nodes(mesh, facet)) nodes.insert(node);

@@ -12,5 +12,8 @@ namespace soft::contact {
 /// each lies behind the other and they face opposite ways) and det F <= 0 at a node of an adjacent cell.
 [[nodiscard]] bool is_wall_inverted(const mesh::Mesh& mesh, const std::array<mesh::Facet, 2>& facets,
                                     std::span<const mesh::Point> positions);
+/// Whether det F <= 0 at a node of a cell that shares a node with one of the facets.
+[[nodiscard]] bool has_inverted_cell(const mesh::Mesh& mesh, std::span<const mesh::Facet> facets,
+                                     std::span<const mesh::Point> positions);
 
 }  // namespace soft::contact

@@ -115,8 +115,8 @@ double Potential::Parts::share_without_crossing(std::span<const Patch> from, std
                 if (dot(r, n) < 0 && !closest.is_interior) continue;
                 const double behind = dot(r, n) < 0 ? -1 : 1;
                 if (closest.distance_m == 0) continue;
-                if (behind < 0 && !has_passed_through(entry, q, other.undeformed, closest.distance_m,
-                                                      is_facing(from[i], entry, q, n)))
+                if (behind < 0 && !has_passed_through({entry, q, from[i], other, from[j], surface.is_revolved()},
+                                                      closest, is_facing(from[i], entry, q, n)))
                     continue;
                 const Vector3 relative = difference(difference(next, x), difference(to[j](closest.xi).x, y.x));
                 limit(behind * closest.distance_m, -behind * dot(relative, r) / closest.distance_m, size_of(i, j));

@@ -63,6 +63,12 @@ void Contact::read_positions() {
         for (std::size_t i = 0; i < 3; ++i) shifts_[k][i] = state_[obstacle_dofs_[k][i]];
 }
 
+std::span<const Vector3> Contact::shifts(Vec x) {
+    state_.read(x);
+    read_positions();
+    return shifts_;
+}
+
 contact::Summary Contact::evaluate(contact::Wanted wanted,
                                    const std::function<void(std::span<const PetscInt>, const contact::Block&)>& add) {
     if (rests_) return contact::Summary(shifts_.size());

@@ -35,6 +35,8 @@ public:
 
     /// True where nothing can ever touch.
     [[nodiscard]] bool is_empty() const { return potential_.is_empty(); }
+    /// Displacement of each obstacle at x, under the levels last prescribed. Collective.
+    [[nodiscard]] std::span<const Vector3> shifts(Vec x);
     /// Current position of a node of the free facets, at the state of the last evaluation.
     [[nodiscard]] const mesh::Point& position(mesh::Index node) const {
         return positions_[static_cast<std::size_t>(node)];

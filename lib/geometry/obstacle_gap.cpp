@@ -4,8 +4,9 @@
 #include <optional>
 #include <utility>
 
+#include "contact/signed_distance.hpp"
 #include "geometry/obstacle.hpp"
-#include "geometry/obstacle_distance.hpp"
+#include "geometry/obstacle_points.hpp"
 #include "mesh/cell_map.hpp"
 #include "mesh/locate.hpp"
 #include "surface/free_facets.hpp"
@@ -178,7 +179,7 @@ private:
 
 ObstacleGap gap_of(const model::Obstacle& obstacle, const model::Case& model, const FreeSurface& surface,
                    std::span<const Point> samples) {
-    const SignedDistance distance = signed_distance(obstacle);
+    const contact::SignedDistance distance = contact::signed_distance(obstacle);
     ObstacleGap gap{obstacle.name, std::numeric_limits<double>::infinity(), {}};
     const auto take = [&](double gap_m, const Point& at) {
         if (gap_m >= gap.gap_m) return;

@@ -118,7 +118,10 @@ void PathFollower::step() {
         return recover();
     }
     path_.attempts.crossing = find_crossing(corrector_, listeners_, *point);
-    if (path_.attempts.crossing) return recover();
+    if (path_.attempts.crossing) {
+        path_.refused = {path_.rows, *path_.attempts.crossing};
+        return recover();
+    }
     const bool has_friction = system_.contact().has_friction();
     const bool stays_in_contact = point->touches && path_.last->touches && !has_friction;
     const bool may_jump =
@@ -284,9 +287,7 @@ void PathFollower::recover() {
     const double known = equilibrium_margin * input_.solver.residual_tolerance * linalg::norm(path_.last->state.x);
     if (!too_short || (share >= arc_of_one_cell && std::abs(path_.step) >= known && !is_nearly_inverted(attempt)))
         return;
-    if (const auto& crossing = path_.attempts.crossing)
-        return finish({crossing->reason, crossing->text + " at " + describe(*path_.last) +
-                                             ", and the contact is not resolved; use smaller cells there (mesh.size)"});
+    if (const auto& crossing = path_.attempts.crossing) return finish(unresolved(*crossing, describe(*path_.last)));
     listeners_.report("no step converges: use smaller cells (mesh.size)");
     finish(stop_without_step(path_, system_, attempt));
 }

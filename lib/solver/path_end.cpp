@@ -109,6 +109,8 @@ std::optional<Stop> stop_before_step(const PathState& path, fem::System& system)
         return Stop{StopReason::step_limit, core::counted(limit, "step") + (limit == 1 ? " was" : " were") +
                                                 " not enough; increase solver.step_limit"};
     if (stage_of(input, path).time_s || !is_stalled(path, input.solver.steps)) return std::nullopt;
+    if (path.refused && path.rows - path.refused->row < static_cast<int>(stalled_rows))
+        return unresolved(path.refused->crossing, state_text(*path.last, input));
     const std::string where = ": the last " + std::to_string(stalled_rows) +
                               " steps cover less than 1 % of its length, at " + state_text(*path.last, input);
     if (is_past_limit_point(path))
@@ -131,6 +133,11 @@ std::optional<Stop> stop_at_row(const PathState& path, const model::Case& input)
                     "path.stretch_limit at " +
                         here + end_earlier};
     return std::nullopt;
+}
+
+Stop unresolved(const ContactEvent& crossing, const std::string& state) {
+    return {crossing.reason,
+            crossing.text + " at " + state + ", and the contact is not resolved; use smaller cells there (mesh.size)"};
 }
 
 bool is_nearly_inverted(const NewtonResult& attempt) { return attempt.min_jacobian < nearly_inverted; }

@@ -17,6 +17,9 @@ inline constexpr std::size_t stalled_rows = 150;
 inline constexpr double stalled_length = 0.01;
 [[nodiscard]] std::optional<Stop> stop_before_step(const PathState& path, fem::System& system);
 
+/// Where rows are refused because walls pass through each other, also with the shortest steps. `state`: of the last row.
+[[nodiscard]] Stop unresolved(const ContactEvent& crossing, const std::string& state);
+
 /// At a new row: the path has returned to states it has passed, or its goal is out of reach.
 [[nodiscard]] std::optional<Stop> stop_at_row(const PathState& path, const model::Case& input);
 

@@ -23,6 +23,12 @@ struct Attempts {
     std::optional<ContactEvent> crossing;  ///< walls that passed through each other in the last attempt
 };
 
+/// An attempt at a row that was refused because walls passed through each other.
+struct RefusedRow {
+    int row = 0;
+    ContactEvent crossing;
+};
+
 struct PathState {
     std::vector<double> undeformed_volumes_m3;  ///< by load
 
@@ -40,6 +46,7 @@ struct PathState {
     std::optional<PathPoint> before, last;
     double step = 0, first_step = 0;  ///< of q, signed
     Attempts attempts;
+    std::optional<RefusedRow> refused;  ///< the last one
 
     // The path.
     int rows = 0;

@@ -12,6 +12,9 @@ namespace {
 /// Relative tolerance to find the goal that ended a stage from the transferred state: the largest change due to the mesh.
 constexpr double meets_goal = 5e-3;
 
+/// Bound of the extrapolation of the difference between the meshes.
+constexpr double max_growth = 2;
+
 }  // namespace
 
 RefinedPath::RefinedPath(fem::System& fine, const mesh::Refined& refined)
@@ -20,7 +23,7 @@ RefinedPath::RefinedPath(fem::System& fine, const mesh::Refined& refined)
       corrector_(fine),
       origin_(fine.make_vector()),
       direction_(fine.make_vector()),
-      pressures_(fine.make_vector()),
+      correction_(fine.make_vector()),
       undeformed_volumes_m3_(undeformed_volumes_m3(fine)) {
     const int frequencies = fine.input().path.frequencies;
     if (frequencies > 0) frequencies_.emplace(fine, frequencies);
@@ -50,8 +53,11 @@ State RefinedPath::carry_over(const RowState& coarse) {
         SOFT_PETSC(VecScale(direction_, 1.0 / length));
         nearest_ = {ConstraintKind::arc, 0, origin_, direction_, linalg::norm(origin_)};
     }
-    State state{copy_of(pressures_), coarse.step.load_factor, coarse.free_pressures_Pa};
-    system_.fields().spread(displacement, state.x);
+    State state{copy_of(origin_), coarse.step.load_factor, coarse.free_pressures_Pa};
+    if (corrected_m_ > 0.0) {  // the difference between the meshes grows with the displacement, as do pressures
+        const double growth = std::min(linalg::norm(origin_) / corrected_m_, max_growth);
+        SOFT_PETSC(VecAXPY(state.x, growth, correction_));
+    }
     return state;
 }
 
@@ -90,7 +96,7 @@ std::optional<State> RefinedPath::equilibrium(const RowState& coarse, RowPositio
         state = carry_over(coarse);
     }
     if (corrector_.correct(nearest_, 0.0, state)) return state;
-    SOFT_PETSC(VecZeroEntries(pressures_));  // retry without the pressures of the row before
+    corrected_m_ = 0;  // retry without the row before
     state = carry_over(coarse);
     if (corrector_.correct(nearest_, 0.0, state)) return state;
     return std::nullopt;
@@ -103,7 +109,8 @@ std::optional<RowState> RefinedPath::solve(const RowState& coarse, RowPosition p
     if (!state) return std::nullopt;
     auto tangent = corrector_.newton().tangent(nearest_, *state);
     if (!tangent) return std::nullopt;
-    linalg::copy(state->x, pressures_);
+    SOFT_PETSC(VecWAXPY(correction_, -1.0, origin_, state->x));
+    corrected_m_ = linalg::norm(origin_);
     PathPoint point{std::move(*state), std::move(*tangent)};
     PathPoint near;
     near.outputs = coarse.step.outputs;

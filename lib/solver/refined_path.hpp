@@ -4,7 +4,8 @@
 /// A row is transferred as displacements u0 and direction t (mesh::prolong) and solved for with
 ///     t . (u - u0) = 0
 /// (the arc constraint, t of unit length, zero in the pressure unknowns) and a free load factor: the state of the finer
-/// mesh nearest to that of the coarse one, which exists at limit points and on branches alike. The last row of a stage
+/// mesh nearest to that of the coarse one, which exists at limit points and on branches alike. Newton's method starts from u0 plus the
+/// difference that it found in the row before. The last row of a stage
 /// instead prescribes what ended the stage (its load factor or an `until`). Load levels are relative to the state that the finer
 /// mesh has at the end of the stage before.
 /// Tested by solver/accuracy_test and the verification suite.
@@ -43,8 +44,10 @@ private:
     Corrector corrector_;
     int stage_ = -1;
     std::optional<StageLoads> loads_;
-    linalg::Vector origin_, direction_, pressures_;  // pressures_: of the previous row, an initial guess
-    std::vector<double> undeformed_volumes_m3_;      // by load
+    linalg::Vector origin_, direction_;          // the coarse row on the fine mesh, without pressures
+    linalg::Vector correction_;                  // of the row before: the solution minus its origin
+    double corrected_m_ = 0;                     // norm of that origin; 0: there is none
+    std::vector<double> undeformed_volumes_m3_;  // by load
     Constraint nearest_;
     std::optional<PathPoint> last_;
     std::optional<NaturalFrequencies> frequencies_;

@@ -168,6 +168,9 @@ Verdict confirm_self_contact(const io::Result& result) {
     const auto last = result.fields.read(rows - 1), before = result.fields.read(rows - 2);
     if (!last || !before) return {false, "no fields are stored"};
     const ShapeChecks checks{result.model};
+    const auto [depth_m, obstacle] = checks.deepest_in_obstacle(last->displacement_m);
+    if (depth_m > 0.5 * checks.contact_distance_m())
+        return {true, "a wall is " + text(1e3 * depth_m) + " mm inside the obstacle " + obstacle};
     std::vector<double> step = last->displacement_m;
     double largest = 0;
     for (std::size_t i = 0; i < step.size(); ++i) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "contact/distance.hpp"
 #include "mesh/cell_map.hpp"
 #include "mesh/mesh.hpp"
 #include "mesh/shape.hpp"
@@ -169,29 +170,77 @@ ShapeChecks::Pairs ShapeChecks::intersecting_pairs(const mesh::Mesh& mesh, doubl
 
 /// Checks nodes and points between them, because facets bulge. Facets with rubber between them and the plane are excluded: there a cell is
 /// inverted.
-bool ShapeChecks::crosses_symmetry_plane(const mesh::Mesh& mesh) const {
+namespace {
+
+/// Points of a grid on a facet, its edges and corners included.
+std::vector<surface::FacetPoint> grid_points(mesh::CellType facet) {
     constexpr int samples = 8;
+    const mesh::Shape shape = mesh::topology(facet).shape;
+    const bool simplex = shape == mesh::Shape::triangle;
+    std::vector<surface::FacetPoint> points;
+    for (int i = 0; i <= samples; ++i)
+        for (int j = 0; j <= (shape == mesh::Shape::line ? 0 : samples); ++j) {
+            const double a = static_cast<double>(i) / samples, b = static_cast<double>(j) / samples;
+            if (simplex && a + b > 1) continue;
+            points.push_back(simplex                      ? surface::FacetPoint{a, b}
+                             : shape == mesh::Shape::line ? surface::FacetPoint{2 * a - 1, 0}
+                                                          : surface::FacetPoint{2 * a - 1, 2 * b - 1});
+        }
+    return points;
+}
+
+}  // namespace
+
+bool ShapeChecks::crosses_symmetry_plane(const mesh::Mesh& mesh, double allowed_m) const {
     const auto mirrors = surface::mirrors(model_);
     for (const Facet& facet : skin_) {
         const surface::FacetMap before = surface::facet_map(model_.mesh, facet, model_.mesh.points),
                                 now = surface::facet_map(mesh, facet, mesh.points);
-        const bool simplex = mesh::topology(now.type).shape == mesh::Shape::triangle;
-        for (int i = 0; i <= samples; ++i)
-            for (int j = 0; j <= (mesh.dimension == 2 ? 0 : samples); ++j) {
-                const double a = static_cast<double>(i) / samples, b = static_cast<double>(j) / samples;
-                if (simplex && a + b > 1) continue;
-                const surface::FacetPoint xi =
-                    simplex ? surface::FacetPoint{a, b} : surface::FacetPoint{2 * a - 1, 2 * b - 1};
-                const Point was = before(xi).x;
-                const auto is = now(xi);
-                const Vector3 out = cross(is.t1, is.t2);
-                for (std::size_t d = 0; d < 3; ++d)
-                    if (mirrors[d] && std::abs(was[d]) > crossing_tolerance * extent_m_ && is.x[d] * was[d] < 0 &&
-                        out[d] * was[d] < 0)
-                        return true;
-            }
+        for (const surface::FacetPoint& xi : grid_points(now.type)) {
+            const Point was = before(xi).x;
+            const auto is = now(xi);
+            const Vector3 out = cross(is.t1, is.t2);
+            for (std::size_t d = 0; d < 3; ++d)
+                if (mirrors[d] && std::abs(was[d]) > crossing_tolerance * extent_m_ && is.x[d] * was[d] < 0 &&
+                    std::abs(is.x[d]) > allowed_m && out[d] * was[d] < 0)
+                    return true;
+        }
     }
     return false;
+}
+
+ShapeChecks::Depth ShapeChecks::deepest_in_obstacle(std::span<const double> u) const {
+    const mesh::Mesh now = moved(u);
+    Depth deepest;
+    const auto distance_m = [](const model::Obstacle& obstacle, const Point& x) {
+        return std::visit(
+            [&](const auto& shape) {
+                if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, model::FacetedSurface>)
+                    return 0.0;
+                else
+                    return contact::distance(shape, x).value_m;
+            },
+            obstacle.shape);
+    };
+    for (const Facet& facet : skin_) {
+        const surface::FacetMap map = surface::facet_map(now, facet, now.points);
+        for (const surface::FacetPoint& xi : grid_points(map.type))
+            for (const model::Obstacle& obstacle : model_.obstacles)
+                if (const double depth_m = -distance_m(obstacle, map(xi).x); depth_m > deepest.depth_m)
+                    deepest = {depth_m, obstacle.name};
+    }
+    return deepest;
+}
+
+double ShapeChecks::contact_distance_m() const {
+    double largest_m = 0;
+    for (const Facet& facet : skin_) {
+        const auto nodes = mesh::facet_nodes(model_.mesh, facet);
+        for (const mesh::Index a : nodes)
+            for (const mesh::Index b : nodes)
+                largest_m = std::max(largest_m, norm(difference(model_.mesh.point(a), model_.mesh.point(b))));
+    }
+    return model_.contact.distance * largest_m;
 }
 
 std::string ShapeChecks::contact(std::span<const double> u, std::span<const double> before, double allowed_m) const {
@@ -199,7 +248,7 @@ std::string ShapeChecks::contact(std::span<const double> u, std::span<const doub
     Pairs pairs = intersecting_pairs(now, allowed_m);
     for (const auto& pair : initial_pairs_) pairs.erase(pair);
     if (!pairs.empty()) return "walls intersect";
-    if (crosses_symmetry_plane(now)) return "a wall crosses a symmetry plane";
+    if (crosses_symmetry_plane(now, allowed_m)) return "a wall crosses a symmetry plane";
     return creases_.has_closed(moved(before).points, now.points) ? "a crease closes" : "";
 }
 

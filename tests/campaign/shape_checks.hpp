@@ -22,6 +22,15 @@ public:
                                       double allowed_m = 0) const;
     /// Smallest det F at corners, mid nodes and centres of the cells.
     [[nodiscard]] double min_det_F(std::span<const double> u) const;
+    /// Of the points of the free facets: how far the deepest is inside an obstacle that has not moved, and its name. Faceted obstacles are
+    /// not considered.
+    struct Depth {
+        double depth_m = 0;
+        std::string obstacle;
+    };
+    [[nodiscard]] Depth deepest_in_obstacle(std::span<const double> u) const;
+    /// The largest of the model.
+    [[nodiscard]] double contact_distance_m() const;
     /// Longest side of the bounding box of the undeformed model.
     [[nodiscard]] double extent_m() const { return extent_m_; }
 
@@ -29,7 +38,7 @@ private:
     using Pairs = std::set<std::array<int, 2>>;
     [[nodiscard]] mesh::Mesh moved(std::span<const double> u) const;
     [[nodiscard]] Pairs intersecting_pairs(const mesh::Mesh& mesh, double allowed_m) const;
-    [[nodiscard]] bool crosses_symmetry_plane(const mesh::Mesh& mesh) const;
+    [[nodiscard]] bool crosses_symmetry_plane(const mesh::Mesh& mesh, double allowed_m) const;
 
     const model::Case& model_;
     std::vector<mesh::Facet> skin_;

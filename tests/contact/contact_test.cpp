@@ -230,7 +230,7 @@ TEST(Contact, ARingThatClosesTouchesTheAxis) {
 
 /// The upper side of a cell at the axis (x, r) follows r(s) through 0, 0.24 and 1, so that r < 0 near the axis. At a crater the surface
 /// then crosses its mirror image through air, at a spike through rubber.
-TEST(Contact, AClosingCraterTouchesTheAxisAndAnInvertedSpikeDoesNot) {
+TEST(Contact, AClosingCraterTouchesTheAxisAndASpikeIsInverted) {
     const auto drawn = [](double tip) {
         return [tip](const Point& X) {
             const double s = X[1], middle = 4 * s * (1 - s), end = s * (2 * s - 1);
@@ -239,12 +239,65 @@ TEST(Contact, AClosingCraterTouchesTheAxisAndAnInvertedSpikeDoesNot) {
     };
     model::Case model =
         test::make_case(test::block(2, test::box({0, 1}, {0, 1}), {1, 1, 1}, "top"), model::Kinematics::axisymmetric);
-    EXPECT_TRUE(contact(model, drawn(0.5)));
-    EXPECT_FALSE(contact(model, drawn(2)));
+    const auto is_inverted = [&](double tip) {
+        const auto found = contact(model, drawn(tip));
+        return found ? std::optional(found->is_inverted) : std::nullopt;
+    };
+    EXPECT_EQ(is_inverted(0.5), false);
+    EXPECT_EQ(is_inverted(2), true);
     model.kinematics = model::Kinematics::plane_strain;
     model.symmetry_planes[1] = true;
-    EXPECT_TRUE(contact(model, drawn(0.5)));
-    EXPECT_FALSE(contact(model, drawn(2)));
+    EXPECT_EQ(is_inverted(0.5), false);
+    EXPECT_EQ(is_inverted(2), true);
+}
+
+/// The right wall of a block becomes the parabola x = 1 + reach - (y - 0.37)^2 / 5, whose tip lies between nodes.
+TEST(Contact, ACurvedWallInAnObstacleIsFoundBetweenNodes) {
+    const auto bulged = [](double reach) {
+        return [reach](const Point& X) {
+            return Point{X[0] + X[0] * (reach - (X[1] - 0.37) * (X[1] - 0.37) / 5), X[1], 0};
+        };
+    };
+    const model::FacetedSurface square{{{1.5, -2, 0}, {3, -2, 0}, {3, 2, 0}, {1.5, 2, 0}},
+                                       {{3, 0, -1}, {0, 1, -1}, {1, 2, -1}, {2, 3, -1}}};
+    const std::vector<model::Obstacle> obstacles{
+        {"plane", model::Plane{{1.5, 0, 0}, {-1, 0, 0}}, 0},
+        {"cylinder", model::Cylinder{{11.5, 0.37, 0}, {0, 0, 1}, 10, model::Side::outside}, 0},
+        {"sleeve", model::Sphere{{-8.5, 0.37, 0}, 10, model::Side::inside}, 0},
+        {"square", square, 0}};
+    constexpr double depth = 0.02;  // more than the height of the tip above the points of the subdivision
+    for (const model::Obstacle& obstacle : obstacles)
+        for (const auto mode : {model::Contact::stop, model::Contact::solve}) {
+            model::Case model = test::make_case(test::block(2, test::box({0, 1}, {-1, 1}), {2, 1, 1}, "wall"),
+                                                model::Kinematics::plane_strain);
+            model.path.contact = mode;
+            model.contact.distance = 0.005;
+            model.obstacles = {obstacle};
+            const ContactFinder finder(model);
+            EXPECT_FALSE(contact(finder, model, bulged(0.5 - 1e-6))) << obstacle.name;
+            const auto found = contact(finder, model, bulged(0.5 + depth));
+            ASSERT_TRUE(found) << obstacle.name;
+            EXPECT_FALSE(found->is_inverted);
+            EXPECT_NEAR(found->location[1], 0.37, 0.15) << obstacle.name;
+            EXPECT_NE(found->text.find("wall touches the obstacle '" + obstacle.name + "'"), std::string::npos)
+                << found->text;
+            const std::vector<Vector3> away{{depth + 1e-6, 0, 0}}, nearer{{-depth, 0, 0}};
+            EXPECT_FALSE(finder.find(test::displacement(model, bulged(0.5 + depth)), away)) << obstacle.name;
+            EXPECT_TRUE(finder.find(test::displacement(model, bulged(0.5)), nearer)) << obstacle.name;
+        }
+}
+
+/// Where contact is not solved, a body may lean on an obstacle from the beginning.
+TEST(Contact, AnObstacleThatIsTouchedInitiallyIsNotReported) {
+    model::Case model =
+        test::make_case(test::block(2, test::box({0, 1}, {0, 1}), {2, 2, 1}, "wall"), model::Kinematics::plane_strain);
+    model.path.contact = model::Contact::stop;
+    model.obstacles = {{"table", model::Plane{{0, 0, 0}, {0, 1, 0}}, 0}};
+    const ContactFinder finder(model);
+    EXPECT_FALSE(contact(finder, model, [](const Point& X) { return Point{X[0], X[1] - 0.1, 0}; }));
+    EXPECT_TRUE(contact(finder, model, [](const Point& X) { return Point{X[0], X[1] - 1.1, 0}; }));  // other facets too
+    const std::vector<Vector3> two(2);
+    EXPECT_THROW((void)finder.find(std::vector<double>(3 * model.mesh.points.size()), two), std::logic_error);
 }
 
 TEST(Contact, InitiallyTouchingWallsAreExcludedAndOthersAreFound) {

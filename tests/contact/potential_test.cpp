@@ -359,6 +359,25 @@ TEST(Potential, DoesNotActBetweenPartsOfAConcaveSurfaceThatFolds) {
     EXPECT_EQ(energy_J(mesh, folded), 0);
 }
 
+/// The area of an incompressible wall grows as its thickness falls: its sides, with four cells between them, approach each other through rubber.
+TEST(Potential, DoesNotActThroughAStretchedWall) {
+    for (const auto kinematics :
+         {model::Kinematics::plane_strain, model::Kinematics::axisymmetric, model::Kinematics::solid}) {
+        const int dimension = kinematics == model::Kinematics::solid ? 3 : 2;
+        const bool revolved = kinematics == model::Kinematics::axisymmetric;
+        const model::Case model = with_settings(test::make_case(
+            test::block(dimension, test::box({0, 1}, {1, 1.4}, {0, 1}), {2, 4, 2}, "wall"), kinematics));
+        Potential potential(model, std::array{modulus_Pa});
+        for (const double stretch : {2.0, dimension == 3 ? 3.0 : 5.0}) {
+            const double radius = revolved ? stretch : 1, depth = dimension == 3 ? stretch : 1;
+            const double thinner = 1 / (stretch * radius * depth);
+            State state{model.mesh.points, {}};
+            for (Point& x : state.positions) x = {stretch * x[0], radius + thinner * (x[1] - 1), depth * x[2]};
+            EXPECT_FALSE(derivatives(potential, state.positions, {}).summary.touches()) << dimension << ' ' << stretch;
+        }
+    }
+}
+
 /// The side of a web lies in one plane with a point of the outer surface of the wall above it. When the wall turns, that point is behind the
 /// side's plane, with rubber between them.
 TEST(Potential, DoesNotActThroughAWallThatTurns) {

@@ -54,7 +54,7 @@ solver::ContactCheck contact_check(fem::System& system) {
     // std::function requires a copyable target, but a finder cannot be copied.
     const auto finder = std::make_shared<const contact::ContactFinder>(system.input());
     return [&system, finder](Vec x) -> std::optional<solver::ContactEvent> {
-        const auto contact = finder->find(system.fields().gather(x).displacement_m);
+        const auto contact = finder->find(system.fields().gather(x).displacement_m, system.contact().shifts(x));
         if (!contact) return std::nullopt;
         return solver::ContactEvent{contact->text, contact->is_inverted ? model::StopReason::inverted_element
                                                                         : model::StopReason::self_contact};

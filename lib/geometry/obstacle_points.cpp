@@ -1,87 +1,14 @@
-#include "geometry/obstacle_distance.hpp"
+#include "geometry/obstacle_points.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <memory>
 
-#include "surface/cgal_queries.hpp"
 #include "surface/free_facets.hpp"
-#include "surface/near.hpp"
 
 namespace soft::geometry {
 namespace {
 
 using mesh::Point;
-
-double side_sign(model::Side side) { return side == model::Side::inside ? -1.0 : 1.0; }
-
-/// Vector from the axis to the point.
-Vector3 from_axis(const model::Cylinder& cylinder, const Point& point) {
-    const Vector3 to = difference(point, cylinder.point);
-    return along(to, -dot(to, cylinder.axis), cylinder.axis);
-}
-
-/// Whether a line upward from the point crosses the closed section an odd number of times. Edges on the axis r = 0, which are not
-/// part of the section, are below all points.
-bool is_in_section(const model::FacetedSurface& section, const Point& point) {
-    bool inside = false;
-    for (const auto& [start, end, none] : section.facets) {
-        const Point &a = section.points[static_cast<std::size_t>(start)],
-                    &b = section.points[static_cast<std::size_t>(end)];
-        if ((a[0] > point[0]) == (b[0] > point[0])) continue;
-        if (a[1] + (point[0] - a[0]) / (b[0] - a[0]) * (b[1] - a[1]) > point[1]) inside = !inside;
-    }
-    return inside;
-}
-
-SignedDistance distance_of(const model::Plane& plane) {
-    return [plane](const Point& point) { return dot(difference(point, plane.point), plane.normal); };
-}
-
-SignedDistance distance_of(const model::Cylinder& cylinder) {
-    return [cylinder](const Point& point) {
-        return side_sign(cylinder.side) * (norm(from_axis(cylinder, point)) - cylinder.radius_m);
-    };
-}
-
-SignedDistance distance_of(const model::Sphere& sphere) {
-    return [sphere](const Point& point) {
-        return side_sign(sphere.side) * (norm(difference(point, sphere.center)) - sphere.radius_m);
-    };
-}
-
-SignedDistance distance_of_section(const model::FacetedSurface& section) {
-    std::vector<std::array<int, 2>> segments;
-    for (const auto& facet : section.facets) segments.push_back({facet[0], facet[1]});
-    const auto nearest = std::make_shared<surface::NearestOnSegments>(section.points, segments);
-    return [section, nearest](const Point& point) {
-        const double distance_m = (*nearest)(point).distance_m;
-        return is_in_section(section, point) ? -distance_m : distance_m;
-    };
-}
-
-/// The first triangle that a ray meets has its back to a point inside.
-SignedDistance distance_of_triangles(const model::FacetedSurface& faceted) {
-    surface::Triangles triangles{faceted.points, faceted.facets, {}, {}, {}};
-    for (std::size_t t = 0; t < faceted.facets.size(); ++t) triangles.facets.push_back(static_cast<int>(t));
-    const auto rays = std::make_shared<surface::RayTree>(triangles);
-    const auto nearest = std::make_shared<surface::NearestOnTriangles>(faceted.points, faceted.facets);
-    return [faceted, rays, nearest](const Point& point) {
-        // Parallel to no likely edge, and nearly across z, so that it does not leave an extruded profile through an end.
-        constexpr Vector3 direction{0.79864838, 0.60099281, 0.03124521};
-        constexpr int no_facet = -1;
-        const double distance_m = (*nearest)(point).distance_m;
-        const auto hit = rays->first_hit(point, direction, no_facet);
-        if (!hit) return distance_m;
-        const Vector3 normal = model::facet_normal(faceted, faceted.facets[static_cast<std::size_t>(hit->facet)]);
-        return dot(normal, direction) > 0 ? -distance_m : distance_m;
-    };
-}
-
-SignedDistance distance_of(const model::FacetedSurface& faceted) {
-    return faceted.facets.front()[2] < 0 ? distance_of_section(faceted) : distance_of_triangles(faceted);
-}
 
 /// Bounding box of the mesh.
 struct Bounds {
@@ -170,10 +97,6 @@ Points points_of(const model::FacetedSurface& faceted, const Bounds& bounds) {
 }
 
 }  // namespace
-
-SignedDistance signed_distance(const model::Obstacle& obstacle) {
-    return std::visit([](const auto& shape) { return distance_of(shape); }, obstacle.shape);
-}
 
 std::vector<OwnPoint> own_points(const model::Obstacle& obstacle, const model::Case& model) {
     const Bounds bounds = bounds_of(model.mesh);

@@ -1,16 +1,10 @@
 #pragma once
-/// Distances from an obstacle in the coordinates of the mesh. Private to the module. Tested by geometry/obstacle_test.
-#include <functional>
+/// Points of an obstacle in the coordinates of the mesh. Private to the module. Tested by geometry/obstacle_test.
 #include <vector>
 
 #include "model/case.hpp"
 
 namespace soft::geometry {
-
-/// Signed distance of a point from the surface of the obstacle, negative where the actuator must not be. For a faceted obstacle of
-/// any closed surface; a section may be open at the axis, and an extruded profile at its ends.
-using SignedDistance = std::function<double(const mesh::Point& point)>;
-[[nodiscard]] SignedDistance signed_distance(const model::Obstacle& obstacle);
 
 /// Points of the obstacle: the obstacle contains the ball of this radius about the point.
 struct OwnPoint {
