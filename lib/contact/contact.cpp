@@ -97,7 +97,7 @@ public:
             sides_[d] = sum < 0 ? -1 : 1;
         }
         for (const model::Obstacle& obstacle : model.obstacles)
-            obstacles_.push_back({obstacle.name, signed_distance(obstacle), {}});
+            obstacles_.push_back({obstacle.name, signed_distance(obstacle)});
         exclude_initial_contacts();
     }
 
@@ -142,9 +142,8 @@ public:
                         else if (!through_air && has_inverted_cell(mesh_, std::span{&facets_.facet(f), 1}, positions))
                             keep({Kind::wall, undeformed_location(f, at.xi), {f, f}});
                     }
-        for (std::size_t k = 0; k < obstacles_.size(); ++k)
+        for (std::size_t k = 0; allowed_share_ > 0 && k < obstacles_.size(); ++k)
             for (std::size_t f = 0; f < facets_.size(); ++f) {
-                if (obstacles_[k].initially_touched.contains(f)) continue;
                 const Depth at = depth_in(k, f, now, shifts.empty() ? Vector3{} : shifts[k]);
                 if (at.depth_m > std::max(tolerance_m_, allowed_depth_m(f)))
                     keep({Kind::obstacle, undeformed_location(f, at.xi), {f, f}, k});
@@ -175,11 +174,6 @@ private:
         for (std::size_t f = 0; f < facets_.size(); ++f)
             for (std::size_t d = 0; d < 3; ++d)
                 if (mirrors_[d] && depth(f, d, mesh_.points).depth_m > tolerance_m_) initially_beyond_[d].insert(f);
-        // Contact that is solved holds such facets, too, and the depth that it allows is far above the tolerance.
-        if (allowed_share_ > 0) return;
-        for (std::size_t k = 0; k < obstacles_.size(); ++k)
-            for (std::size_t f = 0; f < facets_.size(); ++f)
-                if (depth_in(k, f, undeformed_, {}).depth_m > -tolerance_m_) obstacles_[k].initially_touched.insert(f);
     }
 
     [[nodiscard]] std::vector<NormalCone> normal_cones(const DividedShape& shape) const {
@@ -358,7 +352,6 @@ private:
     struct Obstacle {
         std::string name;
         SignedDistance distance;
-        std::set<std::size_t> initially_touched;  ///< facets, where contact is not solved
     };
     std::vector<Obstacle> obstacles_;
 };

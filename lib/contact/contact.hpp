@@ -4,7 +4,7 @@
 ///   two facets of the surface whose deformed shapes intersect,
 ///   a closed crease: the angle filled by the rubber around the edge between two facets exceeds a full turn,
 ///   a facet that crosses a symmetry plane (it touches its mirror image) or, in a section of revolution, the axis,
-///   a facet with a point inside an obstacle.
+///   where contact is solved, a facet with a point inside an obstacle.
 /// The surface is defined in surface/free_facets.hpp. Intersections are tested on the subdivided facets (contact/divided.hpp), planes
 /// and creases on the curved facets. Pairs that intersect or touch in the undeformed body are excluded. For neighbouring facets,
 /// pieces that share a point are not compared. A body that lies completely inside another one is not detected.

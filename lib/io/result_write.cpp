@@ -168,6 +168,11 @@ ResultWriter ResultWriter::resume(const fs::path& file, const SolveInput& given)
         throw Error(ExitCode::bad_input, given.source, "the seal after the HDF5 data is missing", "run solve again");
     auto state = std::make_unique<State>(ResultImage::resume({parts.hdf5, given.source, given.solved}));
     state->file = file;
+    if (parts.resume_steps == 0) {  // truncated, the file would have no row until the first step
+        Tail{file}.truncate(given.image.size(), given.image.size());  // only checks
+        state->create(sealed_bytes(state->image));
+        return ResultWriter{std::move(state)};
+    }
     state->journal.emplace(file);
     for (const auto payload : std::span{parts.steps}.first(parts.resume_steps)) {
         const JournalStep record = decode_step(payload, given.source);

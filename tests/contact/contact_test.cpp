@@ -266,38 +266,25 @@ TEST(Contact, ACurvedWallInAnObstacleIsFoundBetweenNodes) {
         {"sleeve", model::Sphere{{-8.5, 0.37, 0}, 10, model::Side::inside}, 0},
         {"square", square, 0}};
     constexpr double depth = 0.02;  // more than the height of the tip above the points of the subdivision
-    for (const model::Obstacle& obstacle : obstacles)
-        for (const auto mode : {model::Contact::stop, model::Contact::solve}) {
-            model::Case model = test::make_case(test::block(2, test::box({0, 1}, {-1, 1}), {2, 1, 1}, "wall"),
-                                                model::Kinematics::plane_strain);
-            model.path.contact = mode;
-            model.contact.distance = 0.005;
-            model.obstacles = {obstacle};
-            const ContactFinder finder(model);
-            EXPECT_FALSE(contact(finder, model, bulged(0.5 - 1e-6))) << obstacle.name;
-            const auto found = contact(finder, model, bulged(0.5 + depth));
-            ASSERT_TRUE(found) << obstacle.name;
-            EXPECT_FALSE(found->is_inverted);
-            EXPECT_NEAR(found->location[1], 0.37, 0.15) << obstacle.name;
-            EXPECT_NE(found->text.find("wall touches the obstacle '" + obstacle.name + "'"), std::string::npos)
-                << found->text;
-            const std::vector<Vector3> away{{depth + 1e-6, 0, 0}}, nearer{{-depth, 0, 0}};
-            EXPECT_FALSE(finder.find(test::displacement(model, bulged(0.5 + depth)), away)) << obstacle.name;
-            EXPECT_TRUE(finder.find(test::displacement(model, bulged(0.5)), nearer)) << obstacle.name;
-        }
-}
-
-/// Where contact is not solved, a body may lean on an obstacle from the beginning.
-TEST(Contact, AnObstacleThatIsTouchedInitiallyIsNotReported) {
-    model::Case model =
-        test::make_case(test::block(2, test::box({0, 1}, {0, 1}), {2, 2, 1}, "wall"), model::Kinematics::plane_strain);
-    model.path.contact = model::Contact::stop;
-    model.obstacles = {{"table", model::Plane{{0, 0, 0}, {0, 1, 0}}, 0}};
-    const ContactFinder finder(model);
-    EXPECT_FALSE(contact(finder, model, [](const Point& X) { return Point{X[0], X[1] - 0.1, 0}; }));
-    EXPECT_TRUE(contact(finder, model, [](const Point& X) { return Point{X[0], X[1] - 1.1, 0}; }));  // other facets too
-    const std::vector<Vector3> two(2);
-    EXPECT_THROW((void)finder.find(std::vector<double>(3 * model.mesh.points.size()), two), std::logic_error);
+    for (const model::Obstacle& obstacle : obstacles) {
+        model::Case model = test::make_case(test::block(2, test::box({0, 1}, {-1, 1}), {2, 1, 1}, "wall"),
+                                            model::Kinematics::plane_strain);
+        model.path.contact = model::Contact::solve;
+        model.contact.distance = 0.005;
+        model.obstacles = {obstacle};
+        const ContactFinder finder(model);
+        EXPECT_FALSE(contact(finder, model, bulged(0.5 - 1e-6))) << obstacle.name;
+        const auto found = contact(finder, model, bulged(0.5 + depth));
+        ASSERT_TRUE(found) << obstacle.name;
+        EXPECT_FALSE(found->is_inverted);
+        EXPECT_NEAR(found->location[1], 0.37, 0.15) << obstacle.name;
+        EXPECT_NE(found->text.find("wall touches the obstacle '" + obstacle.name + "'"), std::string::npos)
+            << found->text;
+        const std::vector<Vector3> away{{depth + 1e-6, 0, 0}}, nearer{{-depth, 0, 0}}, two(2);
+        EXPECT_FALSE(finder.find(test::displacement(model, bulged(0.5 + depth)), away)) << obstacle.name;
+        EXPECT_TRUE(finder.find(test::displacement(model, bulged(0.5)), nearer)) << obstacle.name;
+        EXPECT_THROW((void)finder.find(test::displacement(model, bulged(0.5)), two), std::logic_error);
+    }
 }
 
 TEST(Contact, InitiallyTouchingWallsAreExcludedAndOthersAreFound) {
