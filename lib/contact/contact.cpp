@@ -48,8 +48,6 @@ std::map<Facet, std::string> face_names(const model::Case& model) {
     return names;
 }
 
-double size_m(const surface::Box& box) { return norm(difference(box.high, box.low)); }
-
 /// How far a facet extends beyond the plane where coordinate d is zero.
 struct Depth {
     double depth_m = 0;
@@ -198,7 +196,14 @@ private:
         return find_crossing({&fine, 0, 1}, fine.shape(mesh_.points), fine.shape(positions)).has_value();
     }
 
-    [[nodiscard]] double allowed_depth_m(std::size_t f) const { return allowed_share_ * size_m(undeformed_.boxes[f]); }
+    /// A share of the largest distance between nodes of the undeformed facet, which does not depend on its orientation.
+    [[nodiscard]] double allowed_depth_m(std::size_t f) const {
+        double size_m = 0;
+        for (const mesh::Index a : facets_.nodes(f))
+            for (const mesh::Index b : facets_.nodes(f))
+                size_m = std::max(size_m, norm(difference(mesh_.point(a), mesh_.point(b))));
+        return allowed_share_ * size_m;
+    }
 
     /// Whether a point of one facet lies deeper behind the other than contact that is solved allows.
     [[nodiscard]] bool is_deep(const FacetPair& pair, const std::vector<Point>& positions) const {
@@ -285,7 +290,8 @@ private:
         for (std::size_t d = 0; d < 3; ++d) centre[d] = 0.5 * (box.low[d] + box.high[d]);
         const SignedDistance& distance = obstacles_[k].distance;
         Depth deepest{-std::numeric_limits<double>::infinity()};
-        if (distance(difference(centre, shift)) > 0.5 * size_m(box) + tolerance_m_) return deepest;
+        if (distance(difference(centre, shift)) > 0.5 * norm(difference(box.high, box.low)) + tolerance_m_)
+            return deepest;
         const std::span<const Point> points = facets_.points(shape, f);
         for (std::size_t i = 0; i < points.size(); ++i)
             if (const double depth_m = -distance(difference(points[i], shift)); depth_m > deepest.depth_m)
@@ -323,7 +329,7 @@ private:
         else if (found.kind == Kind::obstacle)
             result.text = face + " touches the obstacle '" + obstacles_[found.obstacle].name + "'";
         else if (found.kind == Kind::wall && found.facets[0] == found.facets[1])
-            result.text = "the wall between " + face + " and a symmetry plane is inverted";
+            result.text = "the wall between " + face + " and its mirror image is inverted";
         else if (found.kind == Kind::wall)
             result.text = "the wall between " + face + " and " + other + " is inverted";
         else if (first == second)
