@@ -63,8 +63,7 @@ std::string walls(const io::Result& result) {
     const ShapeChecks checks{model};
     const double allowed_m = checks.contact_distance_m();
     const auto [depth_m, obstacle] = checks.deepest_in_obstacle(u);
-    if (depth_m > 1.05 * allowed_m)  // the solver measures a facet by its bounding box
-        return "a wall is " + text_of(1e3 * depth_m) + " mm inside the obstacle " + obstacle;
+    if (depth_m > allowed_m) return "a wall is " + text_of(1e3 * depth_m) + " mm inside the obstacle " + obstacle;
     return checks.contact(u, u, allowed_m);
 }
 

@@ -38,7 +38,7 @@ private:
     using Pairs = std::set<std::array<int, 2>>;
     [[nodiscard]] mesh::Mesh moved(std::span<const double> u) const;
     [[nodiscard]] Pairs intersecting_pairs(const mesh::Mesh& mesh, double allowed_m) const;
-    [[nodiscard]] bool crosses_symmetry_plane(const mesh::Mesh& mesh, double allowed_m) const;
+    [[nodiscard]] bool crosses_symmetry_plane(const mesh::Mesh& mesh) const;
 
     const model::Case& model_;
     std::vector<mesh::Facet> skin_;
