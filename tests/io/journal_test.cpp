@@ -274,6 +274,7 @@ TEST_F(Journal, ResumesFromTheBeginningWithoutACheckpoint) {
     EXPECT_TRUE(from.steps.empty());
     EXPECT_FALSE(from.checkpoint.has_value());
     ResultWriter resumed = ResultWriter::resume(file_, {left, "result.h5", from.file.model});
+    EXPECT_EQ(core::read_file(file_), left);  // until the next row, so that a kill leaves one
     for (int i = 0; i < 2; ++i) append(resumed, i);
     expect_steps(read_result(core::read_file(file_), "result.h5"), 2);
 }
