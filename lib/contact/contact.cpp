@@ -48,16 +48,16 @@ std::map<Facet, std::string> face_names(const model::Case& model) {
     return names;
 }
 
-/// How far a facet extends beyond the plane where coordinate d is zero.
+/// How far a facet extends beyond a plane or into an obstacle.
 struct Depth {
     double depth_m = 0;
     surface::FacetPoint xi{};
 };
 
-/// Starts from the deepest point of the subdivision and refines it by a pattern search on the curved facet. `side`: +1 or -1, the side
-/// of the plane on which the body lies.
-Depth deepest(const surface::FacetMap& map, const Division& division, std::size_t d, double side) {
-    const auto depth_at = [&](const surface::FacetPoint& xi) { return -side * map(xi).x[d]; };
+/// Starts from the deepest point of the subdivision and refines it by a pattern search on the curved facet. `depth_m`: of a point.
+template <class F>
+Depth deepest(const surface::FacetMap& map, const Division& division, F&& depth_m) {
+    const auto depth_at = [&](const surface::FacetPoint& xi) { return depth_m(map(xi).x); };
     Depth best{depth_at(division.xi.front()), division.xi.front()};
     const auto try_point = [&](const surface::FacetPoint& xi) {
         if (const double depth = depth_at(xi); depth > best.depth_m) best = {depth, xi};
@@ -142,7 +142,7 @@ public:
                     }
         for (std::size_t k = 0; allowed_share_ > 0 && k < obstacles_.size(); ++k)
             for (std::size_t f = 0; f < facets_.size(); ++f) {
-                const Depth at = depth_in(k, f, now, shifts.empty() ? Vector3{} : shifts[k]);
+                const Depth at = depth_in(k, f, positions, now.boxes[f], shifts.empty() ? Vector3{} : shifts[k]);
                 if (at.depth_m > std::max(tolerance_m_, allowed_depth_m(f)))
                     keep({Kind::obstacle, undeformed_location(f, at.xi), {f, f}, k});
             }
@@ -280,23 +280,17 @@ private:
             largest = std::max(largest, height);
         }
         if (least > 0.5 * (largest - least)) return {};
-        return deepest(map, facets_.division(f), d, sides_[d]);
+        return deepest(map, facets_.division(f), [&](const Point& x) { return -sides_[d] * x[d]; });
     }
 
-    /// The deepest point of the subdivided facet in an obstacle that has moved by `shift`; -infinity where all are far outside.
-    [[nodiscard]] Depth depth_in(std::size_t k, std::size_t f, const DividedShape& shape, const Vector3& shift) const {
-        const surface::Box& box = shape.boxes[f];
+    /// In an obstacle that has moved by `shift`; 0 for a facet that is far outside.
+    [[nodiscard]] Depth depth_in(std::size_t k, std::size_t f, std::span<const Point> positions,
+                                 const surface::Box& box, const Vector3& shift) const {
+        const auto depth_m = [&](const Point& x) { return -obstacles_[k].distance(difference(x, shift)); };
         Point centre{};
         for (std::size_t d = 0; d < 3; ++d) centre[d] = 0.5 * (box.low[d] + box.high[d]);
-        const SignedDistance& distance = obstacles_[k].distance;
-        Depth deepest{-std::numeric_limits<double>::infinity()};
-        if (distance(difference(centre, shift)) > 0.5 * norm(difference(box.high, box.low)) + tolerance_m_)
-            return deepest;
-        const std::span<const Point> points = facets_.points(shape, f);
-        for (std::size_t i = 0; i < points.size(); ++i)
-            if (const double depth_m = -distance(difference(points[i], shift)); depth_m > deepest.depth_m)
-                deepest = {depth_m, facets_.division(f).xi[i]};
-        return deepest;
+        if (-depth_m(centre) > norm(difference(box.high, box.low))) return {};
+        return deepest(surface::facet_map(mesh_, facets_.facet(f), positions), facets_.division(f), depth_m);
     }
 
     [[nodiscard]] Kind kind_of(std::size_t d) const {
