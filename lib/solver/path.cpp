@@ -266,7 +266,7 @@ void PathFollower::recover() {
         return;
     }
     if (auto point = may_be_kink ? pass_kink(corrector_, path_, failed) : std::nullopt;
-        point && !breaks_energy_balance(corrector_, path_, *point)) {
+        point && !breaks_energy_balance(corrector_, path_, *point) && !find_crossing(corrector_, listeners_, *point)) {
         const Goal* goal = nullptr;
         if (const auto crossing = first_between(path_.goals, *path_.last, *point)) {
             const double way = (crossing->q - path_.last->q) / (point->q - path_.last->q);
