@@ -132,6 +132,7 @@ double Potential::Parts::share_without_crossing(std::span<const Patch> from, std
 
 Potential::Potential(const model::Case& model, std::span<const double> modulus_Pa)
     : parts_(std::make_unique<Parts>(model, modulus_Pa)) {
+    if (parts_->friction.is_empty()) return;
     const std::vector<Vector3> unmoved(model.obstacles.size());
     parts_->friction.start(parts_->surface.patches(model.mesh.points, unmoved), unmoved, {});
 }

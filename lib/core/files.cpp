@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <system_error>
 #include <utility>
@@ -160,12 +161,19 @@ int AtomicFile::open_beside_target() {
     return named;
 }
 
-/// Links the unnamed file under a temporary name, because linkat cannot replace an existing file. Returns errno, or 0.
-int AtomicFile::link_temporary_name() {
+/// Links the unnamed file at the target, or under a temporary name where a file exists, which linkat cannot replace. Returns errno, or 0.
+int AtomicFile::link_unnamed() {
+    const auto link = [&](const fs::path& name) {
+        return ::linkat(AT_FDCWD, descriptor_path(descriptor_).c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+    };
+    if (link(target_)) {
+        renames_ = false;
+        return 0;
+    }
     for (int attempt = 0;; ++attempt) {
         const fs::path name =
             temporary_stem(target_) + "." + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".tmp";
-        if (::linkat(AT_FDCWD, descriptor_path(descriptor_).c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) {
+        if (link(name)) {
             written_ = name;
             return 0;
         }
@@ -176,11 +184,15 @@ int AtomicFile::link_temporary_name() {
 WriteStatus AtomicFile::write(std::span<const std::byte> bytes) { return write_all(descriptor_, bytes, name_); }
 
 void AtomicFile::commit() {
-    // Closing reports failures of delayed writes. A duplicate is closed, so that only the rename follows the link: a process that is
-    // killed between both leaves the temporary name.
+    // Closing reports failures of delayed writes. A duplicate is closed, so that only the rename follows the link. Signals wait until both
+    // are done; a process that SIGKILL ends between them, where it replaces a file, leaves the temporary name.
     int error = ::close(::dup(descriptor_)) == 0 ? 0 : errno;
-    if (error == 0 && written_.empty()) error = link_temporary_name();
+    sigset_t all, before;
+    sigfillset(&all);
+    ::pthread_sigmask(SIG_BLOCK, &all, &before);
+    if (error == 0 && written_.empty()) error = link_unnamed();
     if (error == 0 && renames_ && ::rename(written_.c_str(), target_.c_str()) != 0) error = errno;
+    ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
     ::close(std::exchange(descriptor_, -1));
     if (error == 0) return;
     if (renames_ && !written_.empty()) ::unlink(written_.c_str());

@@ -58,7 +58,7 @@ public:
 
 private:
     [[nodiscard]] int open_beside_target();
-    [[nodiscard]] int link_temporary_name();
+    [[nodiscard]] int link_unnamed();
     void discard() noexcept;
 
     std::string name_;  ///< as the user wrote it, for errors

@@ -194,15 +194,20 @@ void Assembler::add_contact(const Targets& to, Mat K) const {
     contact_.evaluate(wanted, add);
 }
 
-double Assembler::load_power(Vec x, Vec velocity, const LoadLevels& levels, const LoadLevels& rates) {
-    const linalg::ScopedTimer timed(linalg::Phase::measures);
+void Assembler::load_forces(Vec x, const LoadLevels& levels, Vec R) {
     state_.prescribe(levels);
     state_.read(x);
-    const linalg::Vector force = fe_.make_vector();  // of the loads, with the sign of a residual
-    const Targets to{force, nullptr, {}};
+    SOFT_PETSC(VecZeroEntries(R));
+    const Targets to{R, nullptr, {}};
     for (std::size_t load = 0; load < loads_.pressures.size(); ++load) add_pressures(load, to);
-    linalg::assemble(force);
+    linalg::assemble(R);
     add_dead_loads(to);
+}
+
+double Assembler::load_power(Vec x, Vec velocity, const LoadLevels& levels, const LoadLevels& rates) {
+    const linalg::ScopedTimer timed(linalg::Phase::measures);
+    const linalg::Vector force = fe_.make_vector();
+    load_forces(x, levels, force);
     return motion_power(rates) - linalg::dot(force, velocity);
 }
 

@@ -40,6 +40,9 @@ public:
     /// If the result is not admissible they are incomplete. Contact may add entries to the pattern of K.
     Evaluation evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::span<const LoadColumn> columns = {});
 
+    /// The part of R of pressure and dead loads alone, and of no cell. Prescribes the levels.
+    void load_forces(Vec x, const LoadLevels& levels, Vec R);
+
     /// Power of the loads on the modelled part [W], in the time unit of `velocity` of the unknowns and `rates`
     /// of the levels; prescribed motions contribute with the forces that move their nodes. Prescribes the levels.
     [[nodiscard]] double load_power(Vec x, Vec velocity, const LoadLevels& levels, const LoadLevels& rates);

@@ -205,6 +205,10 @@ void pressure_functions_at(const ReferenceCell& cell, std::span<const double> X,
         basis[i + 1] = scale_Pa * box.scale * (X[i * cell.nodes + node] - box.centre[i]);
 }
 
+double pressure_slope(const ReferenceCell& cell, std::span<const double> X, double scale_Pa) {
+    return cell.pressure == PressureSpace::discontinuous_linear ? scale_Pa * box_of(cell, X).scale : 0.0;
+}
+
 template <bool Axisymmetric>
 void find_fiber_axes(const ReferenceCell& cell, material::FiberFrame frame, CellPoints& points) {
     const int dim = cell.dimension, stride = points.law.stride;

@@ -61,6 +61,9 @@ void map_points(const ReferenceCell& cell, const CellInput& in, CellPoints& poin
 void pressure_functions_at(const ReferenceCell& cell, std::span<const double> X, int node, double scale_Pa,
                            std::span<double> basis);
 
+/// d(basis)/dX of the linear functions of a discontinuous pressure, multiplied by `scale_Pa`; 0 for other pressures.
+[[nodiscard]] double pressure_slope(const ReferenceCell& cell, std::span<const double> X, double scale_Pa);
+
 /// Computes the fibre frames at the points (law.axes): e1 = x, e2 = y or the hoop direction about x. A section of a body of revolution
 /// uses the axes (x, r, hoop), so the hoop direction is the third axis.
 template <bool Axisymmetric>
@@ -77,6 +80,13 @@ enum class TangentKind { symmetric, full };
 /// one matrix product with grad N.
 template <bool Axisymmetric, TangentKind Kind>
 void sum_stiffness(const ReferenceCell& cell, double inverse_bulk_modulus, CellOutput& out);
+
+/// The derivative of psi . R by the positions of the nodes (solid_kernel.hpp) from the law's response with its tangent; `stress` is its P.
+/// Overwrites the P of the points and the residual.
+template <bool Axisymmetric>
+void sum_shape_gradient(const ReferenceCell& cell, double inverse_bulk_modulus, const CellInput& in,
+                        std::span<const double> psi, std::span<const double> stress, CellOutput& out,
+                        std::vector<double>& shape);
 
 }  // namespace detail
 }  // namespace soft::fem

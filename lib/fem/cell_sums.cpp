@@ -154,8 +154,62 @@ void sum_stiffness(const ReferenceCell& cell, double inverse_bulk_modulus, CellO
     if constexpr (Kind == TangentKind::symmetric) mirror(cell, out.stiffness);
 }
 
+template <bool Axisymmetric>
+void sum_shape_gradient(const ReferenceCell& cell, double inverse_bulk_modulus, const CellInput& in,
+                        std::span<const double> psi, std::span<const double> stress, CellOutput& out,
+                        std::vector<double>& shape) {
+    const int n = cell.nodes, dim = cell.dimension, stride = out.points.law.stride;
+    CellPoints& points = out.points;
+    const double slope = pressure_slope(cell, in.X, in.pressure_scale_Pa);
+    std::vector<double> forces(static_cast<std::size_t>(dim * cell.points), 0.0);  // b dV
+    for (int q = 0; q < cell.points; ++q) {
+        const auto at = [&](std::span<const double> values, int m) { return values[m * stride + q]; };
+        Tensor H = points.law.gradient(q), G{}, T{};  // grad u, grad psi
+        for (int i = 0; i < 3; ++i) H[4 * i] -= 1.0;
+        double psi_p = 0, theta = 0, along = 0;  // theta: Theta - p / K; along: dTheta/dF : grad psi
+        for (int s = 0; s < cell.pressure_dofs; ++s) psi_p += at(points.basis, s) * psi[dim * n + s];
+        if (cell.pressure_dofs > 0) theta = points.law.theta[q] - points.law.p[q] * inverse_bulk_modulus;
+        double w = psi_p * theta;
+        const auto for_each = [&](auto&& visit) {  // components of a gradient
+            for (int i = 0; i < dim; ++i)
+                for (int J = 0; J < directions_of<Axisymmetric>(dim, i); ++J)
+                    visit(i, J, tensor_index<Axisymmetric>(i, J));
+        };
+        for_each([&](int i, int J, int m) {
+            const double* gradient = &points.gradient[static_cast<std::size_t>(J * cell.points + q) * n];
+            for (int a = 0; a < n; ++a) G[m] += psi[i * n + a] * gradient[a];
+            w += at(stress, m) * G[m];
+        });
+        for_each([&](int, int, int m) {
+            for_each([&](int, int, int k) { T[m] += at(points.law.tangent, 9 * k + m) * G[k]; });
+            if (cell.pressure_dofs == 0) return;
+            T[m] += psi_p * at(points.law.dtheta_dF, m);
+            along += G[m] * at(points.law.dtheta_dF, m);
+        });
+        for_each([&](int, int, int m) {
+            double S = m % 4 == 0 ? w : 0.0;
+            for (int i = 0; i < 9; i += 3) S -= H[i + m / 3] * T[i + m % 3] + G[i + m / 3] * at(stress, i + m % 3);
+            points.law.first_piola[m * stride + q] = S;
+        });
+        for (int K = 0; K < dim && slope != 0.0; ++K)
+            forces[static_cast<std::size_t>(K * cell.points + q)] =
+                points.volume[q] * slope *
+                (in.p[K + 1] * (along - psi_p * inverse_bulk_modulus) + psi[dim * n + K + 1] * theta);
+    }
+    sum_residual<Axisymmetric>(cell, inverse_bulk_modulus, out);
+    shape.assign(out.residual.begin(), out.residual.begin() + dim * n);
+    for (int K = 0; K < dim && slope != 0.0; ++K)
+        for (int q = 0; q < cell.points; ++q)
+            add_force(n, forces[static_cast<std::size_t>(K * cell.points + q)],
+                      &cell.N[static_cast<std::size_t>(q) * n], &shape[static_cast<std::size_t>(K) * n]);
+}
+
 template void sum_residual<true>(const ReferenceCell&, double, CellOutput&);
 template void sum_residual<false>(const ReferenceCell&, double, CellOutput&);
+template void sum_shape_gradient<true>(const ReferenceCell&, double, const CellInput&, std::span<const double>,
+                                       std::span<const double>, CellOutput&, std::vector<double>&);
+template void sum_shape_gradient<false>(const ReferenceCell&, double, const CellInput&, std::span<const double>,
+                                        std::span<const double>, CellOutput&, std::vector<double>&);
 template void sum_stiffness<true, TangentKind::symmetric>(const ReferenceCell&, double, CellOutput&);
 template void sum_stiffness<false, TangentKind::symmetric>(const ReferenceCell&, double, CellOutput&);
 template void sum_stiffness<true, TangentKind::full>(const ReferenceCell&, double, CellOutput&);

@@ -23,15 +23,23 @@ struct PointState {
 
 namespace detail {
 
+/// Maps the points and evaluates the law; false where det F <= 0: the caller reports the cell, and the energy is undefined.
+template <bool Axisymmetric, class L>
+[[nodiscard]] bool evaluate_points(const ReferenceCell& cell, const material::Rubber<L>& rubber, const CellInput& in,
+                                   material::Wanted wanted, CellOutput& out) {
+    map_points<Axisymmetric>(cell, in, out.points);
+    out.min_jacobian = min_jacobian(cell, out.points);
+    if (!(out.min_jacobian > 0.0)) return false;
+    if (rubber.fibers) find_fiber_axes<Axisymmetric>(cell, rubber.fiber_frame, out.points);
+    material::evaluate_batch(rubber, cell.form, wanted, out.points.law);
+    return true;
+}
+
 template <bool Axisymmetric, class L>
 void integrate(const ReferenceCell& cell, const material::Rubber<L>& rubber, const CellInput& in,
                material::Wanted wanted, CellOutput& out) {
     constexpr auto kind = material::StressLaw<L> ? TangentKind::full : TangentKind::symmetric;
-    map_points<Axisymmetric>(cell, in, out.points);
-    out.min_jacobian = min_jacobian(cell, out.points);
-    if (!(out.min_jacobian > 0.0)) return;  // the caller reports the cell; the energy is undefined for J <= 0
-    if (rubber.fibers) find_fiber_axes<Axisymmetric>(cell, rubber.fiber_frame, out.points);
-    material::evaluate_batch(rubber, cell.form, wanted, out.points.law);
+    if (!evaluate_points<Axisymmetric>(cell, rubber, in, wanted, out)) return;
     sum_residual<Axisymmetric>(cell, rubber.inverse_bulk_modulus, out);
     if (wanted == material::Wanted::stress_and_tangent)
         sum_stiffness<Axisymmetric, kind>(cell, rubber.inverse_bulk_modulus, out);
@@ -57,6 +65,30 @@ void integrate_cell(const ReferenceCell& cell, model::Kinematics kinematics, con
     if (kinematics == model::Kinematics::axisymmetric)
         return detail::integrate_form<true>(cell, rubber, in, wanted, out);
     return detail::integrate_form<false>(cell, rubber, in, wanted, out);
+}
+
+/// The derivative of psi . R by the positions of the nodes at fixed unknowns, for some psi in the numbering of the unknowns: shape[k] receives that
+/// of psis[k], component by component. Moving the nodes by V changes grad to -grad(.) grad(V) and dV by div V:
+///   d(psi . R) = int [w div V - (grad(u)^T T + grad(psi)^T P) : grad(V) + b . V] dV,
+///   T = grad(psi) : A + psi_p dTheta/dF,  w = P : grad(psi) + psi_p (Theta - p / K),
+/// and in an axisymmetric section V_r / r is the hoop component of grad(V). b accounts for the functions of a discontinuous pressure, which are
+/// linear in the position; their origin and scale stay. Only for cells that det F > 0 at all points, not for F-bar cells, and
+/// without fibre frames that depend on the position (shape_gradient.hpp).
+/// Source: Haug, Choi and Komkov, Design Sensitivity Analysis of Structural Systems (1986), ch. 3; this form: derived here.
+template <class L>
+void find_shape_gradients(const ReferenceCell& cell, model::Kinematics kinematics, const material::Rubber<L>& rubber,
+                          const CellInput& in, std::span<const std::vector<double>> psis, CellOutput& out,
+                          std::vector<std::vector<double>>& shape) {
+    const auto find = [&]<bool Axisymmetric>(std::bool_constant<Axisymmetric>) {
+        if (!detail::evaluate_points<Axisymmetric>(cell, rubber, in, material::Wanted::stress_and_tangent, out)) return;
+        const std::vector<double> stress = out.points.law.first_piola;
+        shape.resize(psis.size());
+        for (std::size_t k = 0; k < psis.size(); ++k)
+            detail::sum_shape_gradient<Axisymmetric>(cell, rubber.inverse_bulk_modulus, in, psis[k], stress, out,
+                                                     shape[k]);
+    };
+    if (kinematics == model::Kinematics::axisymmetric) return find(std::true_type{});
+    return find(std::false_type{});
 }
 
 /// Appends the states of a cell's quadrature points to `states`; `frame` is that of the cell's rubber, `points` is work space.

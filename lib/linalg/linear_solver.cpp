@@ -231,6 +231,16 @@ bool LinearSolver::use_next_factorization() {
     return true;
 }
 
+LinearSolve LinearSolver::solve_transposed(Vec b, Vec x) {
+    if (operator_ != nullptr || choice_ == Choice::lu) return {};
+    Matrix transposed;
+    SOFT_PETSC(MatCreateTranspose(K_, transposed.out()));
+    SOFT_PETSC(KSPSetOperators(ksp_, transposed, K_));
+    const LinearSolve result = solve_once(b, x);
+    set_operators();
+    return result;
+}
+
 LinearSolve LinearSolver::improve(Vec b, Vec x) {
     SOFT_PETSC(KSPSetInitialGuessNonzero(ksp_, PETSC_TRUE));
     const LinearSolve result = solve_once(b, x);

@@ -69,6 +69,9 @@ public:
     /// iterations.
     [[nodiscard]] LinearSolve solve(Vec b, Vec x, Factor factor = Factor::fresh, double tolerance = 0.0);
 
+    /// Solves K^T x = b with the last factor, which must be symmetric: an LU factor, and an operator in the place of K, do not converge.
+    [[nodiscard]] LinearSolve solve_transposed(Vec b, Vec x);
+
     /// Continues from x after a Krylov solve has reached its iteration limit, with the same limit again.
     [[nodiscard]] LinearSolve improve(Vec b, Vec x);
 

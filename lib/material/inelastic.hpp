@@ -29,6 +29,8 @@ using SymmetricTensor = std::array<double, 6>;
 struct Softening {
     double r = 2, m_Pa = 1, beta = 0;
 
+    bool operator==(const Softening&) const = default;
+
     /// Phi(W) at a largest energy so far, zero at W = 0.
     [[nodiscard]] double energy(double W, double W_max) const;
     /// Its derivatives eta and d eta/dW.
@@ -47,6 +49,8 @@ struct Inelastic {
     std::vector<double> moduli, times_s;  ///< g_i and tau_i; empty: no viscoelasticity
     bool instantaneous = false;           ///< meaning of the law's constants
     std::optional<Softening> softening;
+
+    bool operator==(const Inelastic&) const = default;
 
     /// s
     [[nodiscard]] double scale() const;

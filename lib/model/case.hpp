@@ -41,6 +41,8 @@ struct Material {
     std::string source = "material";    ///< section of the design that defines it: "material" or "materials.<name>"
     std::optional<Fibers> fibers = {};  ///< fibres that the actuator family adds to the region; not those of the law
     std::optional<material::Inelastic> inelastic = {};  ///< viscoelasticity and softening
+
+    bool operator==(const Material&) const = default;
 };
 
 /// Zero displacement of the marked components (x, y, z; axisymmetric: x, r, unused) on a named face.

@@ -221,6 +221,11 @@ std::vector<double> BorderedSystem::rows_times(Vec x) const {
     return product;
 }
 
+void BorderedSystem::subtract_rows(const std::vector<double>& factors, Vec by_x) const {
+    for (std::size_t k = 0; k < supply.size(); ++k) linalg::add(by_x, -factors[k] * supply[k].by_volume, gradients_[k]);
+    linalg::add(by_x, -factors[supply.size()], gradients_[supply.size()]);
+}
+
 void BorderedSystem::fill_border() {
     const int n = static_cast<int>(forces.size()), last = n - 1;
     border = linalg::SmallMatrix(n);

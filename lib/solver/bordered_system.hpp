@@ -70,6 +70,8 @@ public:
     void evaluate_rows(const Constraint& target, const State& state);
     /// Rows of the small system applied to a direction x.
     [[nodiscard]] std::vector<double> rows_times(Vec x) const;
+    /// by_x -= sum of the gradients of the rows times these factors.
+    void subtract_rows(const std::vector<double>& factors, Vec by_x) const;
     /// False if a column is not solved.
     [[nodiscard]] bool solve_columns(const SolveOne& solve);
     void fill_border();

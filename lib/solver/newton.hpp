@@ -61,6 +61,8 @@ class Newton {
 public:
     Newton(fem::System& system, const model::SolverSettings& settings);
 
+    [[nodiscard]] fem::System& system() noexcept { return bordered_.system; }
+
     /// Sets the loads of all later calls; not owned.
     void set_loads(const StageLoads& loads);
 
@@ -74,8 +76,19 @@ public:
 
     [[nodiscard]] NewtonEnd tangent_end() const noexcept { return tangent_end_; }
 
+    /// R at the state of the last tangent(); not on a path in time with viscoelastic rubber.
+    [[nodiscard]] Vec residual() const noexcept { return bordered_.R; }
+
     /// M^-1 (b, rows, 0) with the bordered matrix M of the state and constraint of the last tangent(); `rows`: of the supplies, empty: 0.
     [[nodiscard]] std::optional<PathTangent> bordered_solve(Vec b, std::span<const double> rows = {});
+
+    /// The functional (by_x . x + by_loads . (p, lambda)) of M^-1 (b, rows, 0) as psi . b + mu . rows. nullopt where
+    /// LinearSolver::solve_transposed fails.
+    struct Adjoint {
+        linalg::Vector psi;
+        std::vector<double> mu;  ///< of the supplies
+    };
+    [[nodiscard]] std::optional<Adjoint> adjoint_solve(Vec by_x, std::span<const double> by_loads);
 
     /// Negative pivots of K in excess of one per pressure unknown at the last tangent(), to which the next one is compared. A path
     /// that is resumed sets it.

@@ -146,4 +146,23 @@ std::optional<PathTangent> Newton::bordered_solve(Vec b, std::span<const double>
     return solution;
 }
 
+/// M = [[K, -F], [rows, D]]; with the border S = D + rows C and C = K^-1 F, M^-1 (b, r) is x = K^-1 b + C l, S l = r - rows K^-1 b.
+std::optional<Newton::Adjoint> Newton::adjoint_solve(Vec by_x, std::span<const double> by_loads) {
+    const int n = bordered_.border.size;
+    linalg::SmallMatrix transposed(n);
+    std::vector<double> by_border(by_loads.begin(), by_loads.end());
+    for (int i = 0; i < n; ++i) {
+        by_border[static_cast<std::size_t>(i)] += linalg::dot(by_x, bordered_.columns[static_cast<std::size_t>(i)]);
+        for (int j = 0; j < n; ++j) transposed.at(i, j) = bordered_.border.at(j, i);
+    }
+    auto mu = linalg::solve(transposed, by_border);
+    if (!mu || bordered_.uses_differences()) return std::nullopt;
+    const linalg::Vector rest = copy_of(by_x);
+    bordered_.subtract_rows(*mu, rest);
+    Adjoint adjoint{linalg::duplicate(by_x), std::move(*mu)};
+    adjoint.mu.pop_back();
+    if (!bordered_.linear.solve_transposed(rest, adjoint.psi).converged) return std::nullopt;
+    return adjoint;
+}
+
 }  // namespace soft::solver

@@ -16,6 +16,13 @@ double first_traction_Pa(const model::Case& input, const LoadLevels& levels) {
 }
 
 /// The leading load from levels, or its slope from their slopes.
+/// Of the tangents in a row: on a path in time, slopes are by time.
+double scale_of(const PathPoint& point) {
+    return point.level_slopes.time_s > 0.0 ? 1.0 / point.level_slopes.time_s : 1.0;
+}
+
+}  // namespace
+
 double leading_of(const model::Case& input, const LoadLevels& levels, double load_factor) {
     switch (model::leading_load(input)) {
         case model::LeadingLoad::pressure: return levels.pressures_Pa[0];
@@ -26,13 +33,6 @@ double leading_of(const model::Case& input, const LoadLevels& levels, double loa
     }
     throw std::logic_error("leading_of: unknown load");
 }
-
-/// Of the tangents in a row: on a path in time, slopes are by time.
-double scale_of(const PathPoint& point) {
-    return point.level_slopes.time_s > 0.0 ? 1.0 / point.level_slopes.time_s : 1.0;
-}
-
-}  // namespace
 
 double leading_of(const model::Case& input, const StageLoads& loads, const State& state) {
     return leading_of(input, loads.levels(state.load_factor, state.pressures_Pa), state.load_factor);

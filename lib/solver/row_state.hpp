@@ -19,6 +19,8 @@ struct RowState {
 
 /// The load that a curve shows (model::leading_load), at a state.
 [[nodiscard]] double leading_of(const model::Case& input, const StageLoads& loads, const State& state);
+/// The same of levels, or its derivative by a direction of the levels and of the load factor.
+[[nodiscard]] double leading_of(const model::Case& input, const fem::LoadLevels& levels, double load_factor);
 
 /// The start of the next stage: loads, volumes and gas of a point whose values have been read.
 [[nodiscard]] StageStart stage_start_at(const model::Case& input, const StageLoads& loads, const PathPoint& point);

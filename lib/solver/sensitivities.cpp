@@ -92,6 +92,7 @@ struct Sensitivities::Parameter {
     struct Varied {
         double change = 0;
         const model::Case* input = nullptr;
+        std::optional<model::Case> without_contact = {};  ///< while nothing touches: saves the contact surface
         std::unique_ptr<fem::System> system = {};
         std::vector<double> undeformed_volumes_m3 = {};
         int stage = -1;
@@ -100,13 +101,20 @@ struct Sensitivities::Parameter {
     std::array<Varied, 2> varied;
     double margin = 0;                          ///< for loading, see loading_margin
     bool is_rough = false;                      ///< a difference to one side is not accurate enough
+    bool keeps_materials = false;               ///< the forces of the cells depend on it by the nodes alone
     std::array<std::optional<State>, 2> moved;  ///< with internal variables, the states of both systems at the row
     StageStart start_slope = {};                ///< derivative of the start of the next stage
 
     [[nodiscard]] Side side(std::size_t which, const PathState& path, const PathPoint& point, const fem::System& base) {
         Varied& at = varied[which];
-        if (!at.system) {
-            at.system = std::make_unique<fem::System>(*at.input, base.comm(), base.dofs().cell_rank);
+        if (!at.system || (at.without_contact && point.touches)) {
+            at.without_contact.reset();
+            if (!point.touches && at.input->obstacles.empty() && base.internal().is_empty()) {
+                at.without_contact = *at.input;
+                at.without_contact->path.contact = model::Contact::ignore;
+            }
+            at.system = std::make_unique<fem::System>(at.without_contact ? *at.without_contact : *at.input, base.comm(),
+                                                      base.dofs().cell_rank);
             at.system->internal().set_margin(margin);
             at.undeformed_volumes_m3 = solver::undeformed_volumes_m3(*at.system);
         }
@@ -126,7 +134,12 @@ struct Sensitivities::Parameter {
 
 Sensitivities::Sensitivities(const fem::System& base, std::span<const std::array<model::Case, 2>> variations,
                              WithStretch stretch)
-    : base_(base), stretch_(stretch) {
+    : base_(base), stretch_(stretch), shape_gradient_(base.discretization()) {
+    may_use_adjoints_ = stretch == WithStretch::no && variations.size() > base.input().outputs.size() + 1 &&
+                        fem::has_shape_gradient(base.discretization()) &&
+                        std::ranges::none_of(base.input().outputs, [](const model::Output& output) {
+                            return model::is_reaction(output.measure) && output.obstacle.empty();
+                        });
     // Where displacements alone carry a large bulk modulus, its parts of the derivative nearly cancel, and errors of second order do not.
     const bool is_stiff = base.input().formulation != model::Formulation::mixed;
     for (std::size_t i = 0; i < variations.size(); ++i) {
@@ -134,6 +147,8 @@ Sensitivities::Sensitivities(const fem::System& base, std::span<const std::array
         parameters_.emplace_back();
         parameters_.back().varied[0] = {.change = of.lower - of.value, .input = &variations[i][0]};
         parameters_.back().is_rough = is_stiff || of.higher - of.value > small_change * std::abs(of.value);
+        parameters_.back().keeps_materials = std::ranges::all_of(
+            variations[i], [&](const model::Case& side) { return side.materials == base.input().materials; });
         parameters_.back().margin =
             margin_by_change * std::max(of.value - of.lower, of.higher - of.value) / std::abs(of.value);
         parameters_.back().varied[1] = {.change = of.higher - of.value, .input = &variations[i][1]};
@@ -142,10 +157,15 @@ Sensitivities::Sensitivities(const fem::System& base, std::span<const std::array
 
 Sensitivities::~Sensitivities() = default;
 
-Sensitivities::End Sensitivities::evaluate_at(Side& side, const State& state) const {
+Sensitivities::End Sensitivities::evaluate_at(Side& side, const State& state, Cells cells, Vec known) const {
     End end{linalg::duplicate(state.x), {}};
-    static_cast<void>(
-        side.system->evaluate(state.x, side.loads->levels(state.load_factor, state.pressures_Pa), end.R, nullptr));
+    const fem::LoadLevels levels = side.loads->levels(state.load_factor, state.pressures_Pa);
+    if (known != nullptr)
+        linalg::copy(known, end.R);
+    else if (cells == Cells::yes)
+        static_cast<void>(side.system->evaluate(state.x, levels, end.R, nullptr));
+    else
+        side.system->assembler().load_forces(state.x, levels, end.R);
     const auto& free = side.loads->free_supplies();
     for (std::size_t k = 0; k < free.size(); ++k) {
         const double volume = side.system->volumes().of_load(free[k], state.x, nullptr);
@@ -160,6 +180,46 @@ PathTangent Sensitivities::direction_between(Newton& newton, const End& before, 
     auto direction = newton.bordered_solve(before.R, quotient(before.equations, after.equations, change));
     if (!direction) throw singular("the linear system of a derivative is not solved");
     return std::move(*direction);
+}
+
+std::vector<Sensitivities::Adjoint> Sensitivities::adjoints_at(Newton& newton, const PathState& path,
+                                                               const PathPoint& point) {
+    fem::System& system = newton.system();
+    const StageLoads& loads = *path.loads;
+    std::vector<Adjoint> adjoints;
+    const linalg::Vector by_x = linalg::duplicate(point.state.x);
+    const auto add = [&](std::vector<double> by_pressures, double by_load_factor) {
+        by_pressures.push_back(by_load_factor);
+        auto adjoint = newton.adjoint_solve(by_x, by_pressures);
+        if (adjoint) adjoints.push_back({std::move(*adjoint), {}});
+        return adjoint.has_value();
+    };
+    std::vector<double> leading;
+    for (std::size_t k = 0; k < loads.free_supplies().size(); ++k)
+        leading.push_back(leading_of(system.input(), loads.unit_pressure(k), 0.0));
+    bool all = add(leading, leading_of(system.input(), loads.rate(), 1.0));
+    for (std::size_t i = 0; i < point.outputs.size() && all; ++i) {
+        const auto value =
+            solver::evaluate({.kind = ConstraintKind::output, .index = i}, system, loads, point.state, by_x);
+        all = add(value.by_pressures, value.by_load_factor);
+    }
+    if (!all) return {};
+    std::vector<Vec> psis;
+    for (const Adjoint& adjoint : adjoints) psis.push_back(adjoint.of.psi);
+    auto gradients = shape_gradient_.evaluate(point.state.x, point.levels, psis);
+    for (std::size_t k = 0; k < adjoints.size(); ++k) adjoints[k].by_position = std::move(gradients[k]);
+    return adjoints;
+}
+
+double Sensitivities::through_state(const Adjoint& adjoint, const Side& lower, const End& before, const Side& higher,
+                                    const End& after, Cells cells) {
+    double change = linalg::dot(adjoint.of.psi, after.R) - linalg::dot(adjoint.of.psi, before.R);
+    for (std::size_t k = 0; k < adjoint.of.mu.size(); ++k)
+        change += adjoint.of.mu[k] * (after.equations[k] - before.equations[k]);
+    const auto &low = lower.system->input().mesh.points, &high = higher.system->input().mesh.points;
+    for (std::size_t node = 0; node < low.size() && cells == Cells::no; ++node)
+        change += dot(adjoint.by_position[node], difference(high[node], low[node]));
+    return -change / (higher.change - lower.change);
 }
 
 void Sensitivities::correct_at_moved_states(Newton& newton, const State& state, Side& lower, Side& higher,
@@ -216,17 +276,35 @@ void Sensitivities::evaluate(Corrector& corrector, const PathState& path, const 
     set_margin(loading_margin);
     if (!newton.tangent(along, point.state)) throw singular("the tangent of a row is singular");
     Side base{0, &corrector.system(), &*path.loads};
-    const End at_base = evaluate_at(base, point.state);
+    const bool needs_states = !may_use_adjoints_ || point.touches || (goal != nullptr && stage_follows);
+    const auto adjoints = needs_states ? std::vector<Adjoint>{} : adjoints_at(newton, path, point);
+    std::array<std::optional<End>, 2> at_base;  // by Cells
+    const auto end_at = [&](Side& side, Cells cells) {
+        if (side.change != 0) return evaluate_at(side, point.state, cells);
+        auto& end = at_base[static_cast<std::size_t>(cells)];
+        if (!end)
+            end =
+                evaluate_at(side, point.state, cells, cells == Cells::yes && !has_memory ? newton.residual() : nullptr);
+        return End{copy_of(end->R), end->equations};
+    };
     for (Parameter& parameter : parameters_) {
         const bool to_higher = parameter.varied[1].change > 0;
         const bool is_central = point.touches || parameter.is_rough || !to_higher || has_memory;
         Side lower = is_central && parameter.varied[0].change < 0 ? parameter.side(0, path, point, base_) : base;
         Side higher = to_higher ? parameter.side(1, path, point, base_) : base;
         const double change = higher.change - lower.change;
-        const End before =
-            lower.change < 0 ? evaluate_at(lower, point.state) : End{copy_of(at_base.R), at_base.equations};
-        const End after =
-            higher.change > 0 ? evaluate_at(higher, point.state) : End{copy_of(at_base.R), at_base.equations};
+        const Cells cells = adjoints.empty() || !parameter.keeps_materials ? Cells::yes : Cells::no;
+        const End before = end_at(lower, cells), after = end_at(higher, cells);
+        if (!adjoints.empty()) {
+            const auto values = [&](const Side& side) {
+                return values_at(*side.system, *side.loads, point.state, point, stretch_);
+            };
+            auto slopes = quotient(values(higher), values(lower), change);
+            for (std::size_t k = 0; k < slopes.size(); ++k)
+                slopes[k] += through_state(adjoints[k], lower, before, higher, after, cells);
+            step.derivatives.insert(step.derivatives.end(), slopes.begin(), slopes.end());
+            continue;
+        }
         PathTangent moved_at = direction_between(newton, before, after, change);
         if (softens) correct_at_moved_states(newton, point.state, lower, higher, moved_at);
         const auto values = [&](const Side& side) {

@@ -11,6 +11,10 @@
 ///   of the load at a fixed output is D_load - T_load D_output / T_output, at a limit point that of the limit load,
 ///   of the output at a fixed load  D_output - T_output D_load / T_load,
 /// and D itself at a fixed time.
+/// Where the values of a row are fewer than the parameters, their adjoints psi replace the derivatives of the state: with (psi, mu) = M^-T dv/d(x, lambda, p),
+///   D_v = dv/dtheta at the state of the row - psi . dR/dtheta - mu . de/dtheta,
+/// and the part of the cells in psi . dR/dtheta of a dimension is the shape gradient (fem/shape_gradient.hpp) times the motion of the nodes.
+/// Not in contact, nor with an LU factor, inelastic rubber, a value that is a reaction, or where the next stage needs the state.
 /// Source: Haug, Choi and Komkov, Design Sensitivity Analysis of Structural Systems (1986); Reitinger, Bletzinger and Ramm, Comput. Syst. Eng. 5
 /// (1994) 65, for limit loads. The form by the tangent of the path: derived here.
 /// Tested by solver/sensitivities_test, pipeline/sensitivities and pipeline/inelastic_fits.
@@ -18,6 +22,7 @@
 #include <span>
 #include <vector>
 
+#include "fem/shape_gradient.hpp"
 #include "solver/corrector.hpp"
 #include "solver/path_state.hpp"
 
@@ -43,7 +48,18 @@ private:
     struct Side;
     struct Parameter;
     struct End;
-    [[nodiscard]] End evaluate_at(Side& side, const State& state) const;
+    enum class Cells { no, yes };  ///< whether R includes the forces of the cells
+    /// `known`: R, where it is.
+    [[nodiscard]] End evaluate_at(Side& side, const State& state, Cells cells = Cells::yes, Vec known = nullptr) const;
+    struct Adjoint {
+        Newton::Adjoint of;
+        std::vector<Vector3> by_position;  ///< d(psi . R)/dX of the cells, by node
+    };
+    /// Of the leading load and the outputs; empty where derivatives of the state are needed or cheaper.
+    [[nodiscard]] std::vector<Adjoint> adjoints_at(Newton& newton, const PathState& path, const PathPoint& point);
+    /// -psi . dR - mu . de between both systems, over the change; `cells`: those of R.
+    [[nodiscard]] static double through_state(const Adjoint& adjoint, const Side& lower, const End& before,
+                                              const Side& higher, const End& after, Cells cells);
     /// The derivative of the state from the residuals of both systems at one state. Overwrites before.R.
     [[nodiscard]] static PathTangent direction_between(Newton& newton, const End& before, const End& after,
                                                        double change);
@@ -59,6 +75,8 @@ private:
 
     const fem::System& base_;
     WithStretch stretch_;
+    bool may_use_adjoints_ = false;
+    fem::ShapeGradient shape_gradient_;
     std::vector<Parameter> parameters_;
     std::vector<double> last_;  // derivatives of the last row
 };

@@ -60,6 +60,37 @@ TEST(LawElementMatrix, TangentIsTheDerivativeOfTheResidual) {
     });
 }
 
+// Against central differences. The functions of a discontinuous pressure stay if the vertices do.
+TEST(LawElementMatrix, ShapeGradientIsTheDerivativeByTheNodes) {
+    for_each_entry([](const Sample& s, const LawInfo& law) {
+        const bool turns = s.combination.kinematics != model::Kinematics::axisymmetric && material::fibers_of(s.rubber);
+        if (s.combination.form == Form::f_bar || turns) return;
+        const auto psi = s.direction();
+        const int vertices =
+            s.cell.pressure == PressureSpace::discontinuous_linear ? mesh::topology(s.cell.type).vertex_count : 0;
+        std::vector<double> V(s.X.size(), 0.0);
+        for (int i = 0; i < s.cell.dimension; ++i)
+            for (int a = vertices; a < s.cell.nodes; ++a)
+                V[static_cast<std::size_t>(i * s.cell.nodes + a)] = Sample::length * std::sin(1.0 + 2.3 * i + 1.9 * a);
+        CellOutput out(s.cell);
+        std::vector<std::vector<double>> shape;
+        const std::vector<std::vector<double>> psis{psi};
+        std::visit(
+            [&](const auto& rubber) {
+                find_shape_gradients(s.cell, s.combination.kinematics, rubber, s.input(s.unknowns), psis, out, shape);
+            },
+            s.rubber);
+        const auto at = [&](double h) {
+            Sample there = s;
+            there.X = moved(s.X, V, h);
+            return inner_product(there.integrate(s.unknowns).residual, psi);
+        };
+        constexpr double h = 1e-5;
+        EXPECT_NEAR((at(h) - at(-h)) / (2 * h), inner_product(shape[0], V), 1e-7 * norm(shape[0]) * norm(V))
+            << label(s, law);
+    });
+}
+
 TEST(LawElementMatrix, TangentIsSymmetricExactlyForLawsWithAnEnergy) {
     for_each_entry([](const Sample& s, const LawInfo& law) {
         const auto K = s.integrate(s.unknowns).stiffness;

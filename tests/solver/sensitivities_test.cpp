@@ -30,12 +30,18 @@ void scale_moduli(model::Case& input, double factor) {
     }
 }
 
-/// The path with its derivatives by a factor on something.
-std::vector<model::Step> path_by_factor(model::Case input, void (*scale)(model::Case&, double), double change) {
-    std::vector<std::array<model::Case, 2>> variations{{input, input}};
-    scale(variations[0][0], 1 - change);
-    scale(variations[0][1], 1 + change);
-    input.parameters = {{"factor", "", 1, 1, 1 - change, 1 + change}};
+/// Few parameters need derivatives of the state, many the adjoints of the values.
+constexpr std::size_t few = 1, many = 3;
+
+/// The path with its derivatives by a factor on something, as that many parameters.
+std::vector<model::Step> path_by_factor(model::Case input, void (*scale)(model::Case&, double), double change,
+                                        std::size_t parameters) {
+    std::vector<std::array<model::Case, 2>> variations(parameters, {input, input});
+    for (auto& variation : variations) {
+        scale(variation[0], 1 - change);
+        scale(variation[1], 1 + change);
+        input.parameters.push_back({"factor", "", 1, 1, 1 - change, 1 + change});
+    }
     fem::System system(input, PETSC_COMM_WORLD);
     Sensitivities sensitivities(system, variations);
     std::vector<model::Step> steps;
@@ -65,19 +71,22 @@ class Controls : public testing::TestWithParam<model::Control> {};
 
 /// p(u, s) = p(u / s, 1): at a fixed displacement dp/ds = -u dp/du.
 TEST_P(Controls, BySizeAreThoseOfASimilarBody) {
-    for (const auto& [change, tolerance] : {one_sided, central}) {
-        const auto steps = path_by_factor(inflated_sphere(GetParam()), scale_size, change);
-        ASSERT_GT(steps.size(), 6u);
-        for (const model::Step& step : steps)
-            EXPECT_NEAR(load_at_output(step), -step.outputs[0] * stiffness(step), tolerance * sample_mu_Pa);
-    }
+    for (const auto& [change, tolerance] : {one_sided, central})
+        for (const std::size_t parameters : {few, many}) {
+            const auto steps = path_by_factor(inflated_sphere(GetParam()), scale_size, change, parameters);
+            ASSERT_GT(steps.size(), 6u);
+            for (const model::Step& step : steps)
+                EXPECT_NEAR(load_at_output(step), -step.outputs[0] * stiffness(step), tolerance * sample_mu_Pa);
+        }
 }
 
 /// p is proportional to the moduli at a fixed displacement, at the limit point too.
 TEST_P(Controls, ByModuliAreTheLoadItself) {
     for (const auto& [change, tolerance] : {one_sided, central})
-        for (const model::Step& step : path_by_factor(inflated_sphere(GetParam()), scale_moduli, change))
-            EXPECT_NEAR(load_at_output(step), step.pressure_Pa, tolerance * sample_mu_Pa);
+        for (const std::size_t parameters : {few, many})
+            for (const model::Step& step :
+                 path_by_factor(inflated_sphere(GetParam()), scale_moduli, change, parameters))
+                EXPECT_NEAR(load_at_output(step), step.pressure_Pa, tolerance * sample_mu_Pa);
 }
 
 INSTANTIATE_TEST_SUITE_P(Sensitivities, Controls,
@@ -102,12 +111,14 @@ TEST(Sensitivities, OfAStageWithGasAreDifferencesOfPaths) {
         };
         const double h = 1e-4;
         const auto more = end_with(1 + h), less = end_with(1 - h);
-        const model::Step last = path_by_factor(input, scale, central.size).back();
-        ASSERT_EQ(last.stage, 1);
-        // At the end of the stage the load factor is 1, so the row moves along the path by what its load factor has moved.
-        const double along = (more.pressure_Pa - less.pressure_Pa) / (2 * h) - last.derivatives[0];
-        const double by_factor = last.derivatives[1] + along / stiffness(last);
-        EXPECT_NEAR((more.outputs[0] - less.outputs[0]) / (2 * h), by_factor, 1e-6 * last.outputs[0]);
+        for (const std::size_t parameters : {few, many}) {
+            const model::Step last = path_by_factor(input, scale, central.size, parameters).back();
+            ASSERT_EQ(last.stage, 1);
+            // At the end of the stage the load factor is 1, so the row moves along the path by what its load factor has moved.
+            const double along = (more.pressure_Pa - less.pressure_Pa) / (2 * h) - last.derivatives[0];
+            const double by_factor = last.derivatives[1] + along / stiffness(last);
+            EXPECT_NEAR((more.outputs[0] - less.outputs[0]) / (2 * h), by_factor, 1e-6 * last.outputs[0]);
+        }
     }
 }
 
