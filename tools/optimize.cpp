@@ -47,14 +47,17 @@ const cli::About about{
 
 struct OptimizeOptions {
     cli::CommonOptions common;
-    std::string input, folder, starts = "3", jobs = "1";
+    std::string input, folder, starts = "3", jobs = "1", global = "0";
     bool resume = false;
 };
 
-void check_count(const std::string& option, const std::string& text) {
+void check_count(const std::string& option, const std::string& text, long least) {
+    constexpr long most = 1000;
     const auto count = core::parse_count(text);
-    if (const long* number = std::get_if<long>(&count); number == nullptr || *number < 1 || *number > 1000)
-        throw Error(ExitCode::usage, option, core::quoted(text) + " is not a number from 1 to 1000");
+    if (const long* number = std::get_if<long>(&count); number == nullptr || *number < least || *number > most)
+        throw Error(
+            ExitCode::usage, option,
+            core::quoted(text) + " is not a number from " + std::to_string(least) + " to " + std::to_string(most));
 }
 
 std::optional<OptimizeOptions> parse_optimize_options(int argc, char** argv) {
@@ -64,6 +67,11 @@ std::optional<OptimizeOptions> parse_optimize_options(int argc, char** argv) {
     app.add_option("--starts", options.starts, "Number of points from which the search starts; the first is the design")
         ->type_name("N")
         ->capture_default_str();
+    app.add_option(
+           "--global", options.global,
+           "Number of trials over the whole ranges, without derivatives, for goals with several optima or whole numbers")
+        ->type_name("N")
+        ->capture_default_str();
     app.add_option("--jobs", options.jobs, "Number of starts that run side by side, each on one core")
         ->type_name("N")
         ->capture_default_str();
@@ -71,8 +79,9 @@ std::optional<OptimizeOptions> parse_optimize_options(int argc, char** argv) {
     app.add_flag("--resume", options.resume, "Continue the search whose trials are in FOLDER")->needs(folder);
     cli::add_common_options(app, options.common, about);
     if (!cli::parse(app, about, options.common, argc, argv)) return std::nullopt;
-    check_count("--starts", options.starts);
-    check_count("--jobs", options.jobs);
+    check_count("--starts", options.starts, 1);
+    check_count("--global", options.global, 0);
+    check_count("--jobs", options.jobs, 1);
     cli::check_distinct({{"GOAL", options.input}}, options.common);
     return options;
 }
@@ -169,7 +178,7 @@ public:
         }
         const linalg::Session session{{}};
         if (session.size() > 1) throw Error(ExitCode::usage, "", "runs on one rank only", "omit mpirun");
-        return optimize::search(goal_, first_, starts, evaluate(), progress(""));
+        return optimize::search(goal_, first_, {starts, std::stoi(options_.global)}, evaluate(), progress(""));
     }
 
 private:

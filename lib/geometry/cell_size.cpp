@@ -6,6 +6,7 @@
 
 #include "core/text.hpp"
 #include "geometry/keys.hpp"
+#include "meshing/cell_counts.hpp"
 #include "meshing/section.hpp"
 
 namespace soft::geometry {
@@ -59,8 +60,9 @@ int CellSize::through(double wall_m, int own, int min_cells) const {
 Division CellSize::through_ring(double inner_m, double outer_m) const {
     constexpr double cells_per_doubling = 4;
     constexpr int min_cells = 2;
-    const int own =
-        std::max(min_cells, static_cast<int>(std::lround(cells_per_doubling * std::log2(outer_m / inner_m))));
+    const int own = meshing::cell_count([&] {
+        return std::max(min_cells, static_cast<int>(std::lround(cells_per_doubling * std::log2(outer_m / inner_m))));
+    });
     const int cells = through(outer_m - inner_m, own);
     if (stated_) return {cells};
     return {cells, std::pow(outer_m / inner_m, 1 - 1.0 / cells)};

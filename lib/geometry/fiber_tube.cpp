@@ -14,6 +14,7 @@
 #include "geometry/tube_section.hpp"
 #include "meshing/box_grid.hpp"
 #include "meshing/capped.hpp"
+#include "meshing/cell_counts.hpp"
 
 namespace soft::geometry {
 namespace {
@@ -65,7 +66,8 @@ std::vector<WallLayer> wall_layers(const TubeShape& shape, const Layer& layer, D
         // The share of cells that grow with the radius follows from the logarithm of the radii.
         const double share =
             wall.grading == 1 ? end - begin : std::log(outer_m / inner_m) / std::log(shape.outer_m / shape.inner_m);
-        const int cells = std::max(1, static_cast<int>(std::lround(share * wall.cells)));
+        const int cells =
+            meshing::cell_count([&] { return std::max(1, static_cast<int>(std::lround(share * wall.cells))); });
         layers.push_back({outer_m,
                           {cells, wall.grading == 1 ? 1 : std::pow(outer_m / inner_m, 1 - 1.0 / cells)},
                           region,

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "geometry/strip.hpp"
+#include "meshing/cell_counts.hpp"
 #include "meshing/section_mesher.hpp"
 
 namespace soft::geometry {
@@ -58,7 +59,9 @@ private:
         const double strip_m = shape_.flat_m - shape_.strip_m;
         double from_m = 0;
         const auto add = [&](double to_m, std::size_t layer) {
-            const int cells = std::max(1, static_cast<int>(std::lround((to_m - from_m) / shape_.flat_m * cells_.flat)));
+            const int cells = meshing::cell_count([&] {
+                return std::max(1, static_cast<int>(std::lround((to_m - from_m) / shape_.flat_m * cells_.flat)));
+            });
             rows_.push_back({from_m, to_m, cells});
             row_layers_.push_back(layer);
             from_m = to_m;

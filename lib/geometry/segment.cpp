@@ -13,6 +13,7 @@
 #include "geometry/mirror_symmetry.hpp"
 #include "meshing/box_grid.hpp"
 #include "meshing/capped.hpp"
+#include "meshing/cell_counts.hpp"
 #include "meshing/section_mesher.hpp"
 
 namespace soft::geometry {
@@ -120,7 +121,8 @@ Cells cells_of(const Shape& shape, const design::Values& values) {
     constexpr meshing::SharpEnds both{true, true}, far{false, true};
     // Cells turn by less than 29 degrees: at 30 degrees the area error of their quadratic edges is 1.6e-4.
     const auto turns = [](double angle_rad) {
-        return static_cast<int>(std::ceil(angle_rad / (29 * std::numbers::pi / 180)));
+        return meshing::cell_count(
+            [&] { return static_cast<int>(std::ceil(angle_rad / (29 * std::numbers::pi / 180))); });
     };
     const double outer_m = shape.radii_m.back(), quality = quality_factor(values), unit_m = outer_m / quality;
     const CellSize size{values, unit_m / 4};
@@ -154,7 +156,8 @@ Cells cells_of(const Shape& shape, const design::Values& values) {
         else if (ring < chamber_ring)
             cells.rings.push_back(even_cells(size.through(width_m, own_through)));
         else  // jacket included
-            cells.rings.push_back(even_cells(std::max(1, static_cast<int>(std::lround(through * width_m / wall_m)))));
+            cells.rings.push_back(even_cells(meshing::cell_count(
+                [&] { return std::max(1, static_cast<int>(std::lround(through * width_m / wall_m))); })));
     }
     return cells;
 }

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "core/text.hpp"
+#include "meshing/cell_counts.hpp"
 
 namespace soft::geometry {
 namespace {
@@ -36,6 +37,15 @@ bool has_gas(const model::Case& model) {
 
 bool changes_mesh(const std::string& key) { return key.starts_with("geometry.") || key.starts_with("obstacles."); }
 
+/// The shape of a design with the cells of another one, where its generator can repeat their numbers.
+MeshedShape make_shape_with_cells_of(const design::Design& varied, const design::Design& base, const mesh::Mesh& mesh) {
+    MeshedShape made = make_shape(varied);
+    if (has_same_cells(made.mesh, mesh)) return made;
+    const auto counts = meshing::record_counts([&] { static_cast<void>(make_shape(base)); });
+    meshing::repeat_counts(counts, [&] { made = make_shape(varied); });
+    return made;
+}
+
 /// The case with the value, and the value as read. Throws Error (bad_input) where the design or the generator refuses it.
 std::pair<model::Variation::Side, double> side_at(const design::Design& design, const Built& built,
                                                   const model::DesignParameter& parameter, double value,
@@ -48,7 +58,7 @@ std::pair<model::Variation::Side, double> side_at(const design::Design& design, 
     const design::Design varied = design::read_design(design.effective_yaml, source, catalogue_keys(), {&change, 1});
     const double read = varied.values.number(parameter.key);
     if (!changes_mesh(parameter.key)) return {{built.model.mesh.points, built.shape, varied.effective_yaml}, read};
-    MeshedShape made = make_shape(varied);
+    MeshedShape made = make_shape_with_cells_of(varied, design, built.model.mesh);
     if (!has_same_cells(made.mesh, built.model.mesh))
         throw Error(ExitCode::bad_input, parameter.key,
                     "the mesh has other cells with a slightly different value, so there is no derivative",

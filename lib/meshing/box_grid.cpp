@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "mesh/raise_order.hpp"
+#include "meshing/cell_counts.hpp"
 #include "meshing/section.hpp"
 
 namespace soft::meshing {
@@ -270,17 +271,20 @@ std::vector<double> growing_shares(double length_m, int min_cells, const Spacing
     constexpr double rounding = 1e-9;
     const bool any = sharp.low || sharp.high;
     const double shortest_m = any ? spacing.size_m / spacing.grading : spacing.size_m;
-    for (int cells = divisions(length_m, spacing.size_m, min_cells);; ++cells) {
-        std::vector<double> lengths_m;
-        double sum_m = 0;
-        for (int i = 0; i < cells; ++i) {
-            const double grown_m = shortest_m * std::pow(spacing.growth, cells_to_sharp_end(i, cells, sharp));
-            sum_m += lengths_m.emplace_back(std::min(spacing.size_m, grown_m));
+    const auto length_of = [&](int i, int cells) {
+        return std::min(spacing.size_m, shortest_m * std::pow(spacing.growth, cells_to_sharp_end(i, cells, sharp)));
+    };
+    const int enough = cell_count([&] {
+        for (int cells = divisions(length_m, spacing.size_m, min_cells);; ++cells) {
+            double sum_m = 0;
+            for (int i = 0; i < cells; ++i) sum_m += length_of(i, cells);
+            if (sum_m >= (1 - rounding) * length_m) return cells;
         }
-        if (sum_m < (1 - rounding) * length_m) continue;
-        scale_to_one(lengths_m);
-        return lengths_m;
-    }
+    });
+    std::vector<double> lengths_m;
+    for (int i = 0; i < enough; ++i) lengths_m.push_back(length_of(i, enough));
+    scale_to_one(lengths_m);
+    return lengths_m;
 }
 
 double cells_of_boxes(const BoxBody& body, const Spacing& spacing) {

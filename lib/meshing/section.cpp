@@ -1,4 +1,5 @@
 #include "meshing/section.hpp"
+#include "meshing/cell_counts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -77,7 +78,9 @@ double cell_count(const Section& section) {
 int divisions(double length_m, double size_m, int min_cells) {
     constexpr double max_cells = 100000;  // far more than can be solved, and safe to convert to int
     constexpr double rounding = 1e-9;     // so that halves round to the same number in millimetres and in metres
-    return std::max(min_cells, static_cast<int>(std::lround(std::min(length_m / size_m + rounding, max_cells))));
+    return cell_count([&] {
+        return std::max(min_cells, static_cast<int>(std::lround(std::min(length_m / size_m + rounding, max_cells))));
+    });
 }
 
 Section rectangle(const Rectangle& shape) {

@@ -56,6 +56,9 @@ private:
 /// Least squares of the differences from the targets over what is allowed (Levenberg and Marquardt; Ceres). A trial that fails shortens the step.
 void run_least_squares(const Goal& goal, Record& record, const std::vector<double>& start);
 
+/// That many trials of DIRECT-L (NLopt), without derivatives, whole numbers included, until is_met().
+void run_global(const Goal& goal, Record& record, int trials, const std::function<bool()>& is_met);
+
 /// Sequential quadratic programming (SLSQP; NLopt) in a box of half the size after each trial that fails.
 void run_quadratic_programming(const Goal& goal, Record& record, const std::vector<double>& start);
 

@@ -77,14 +77,18 @@ void run_start(const Goal& goal, const std::vector<double>& first, const Starts&
     run_from(goal, record, start_point(goal, first, starts.count, starts.index));
 }
 
-Found search(const Goal& goal, const std::vector<double>& first, int starts, const Evaluate& evaluate,
+Found search(const Goal& goal, const std::vector<double>& first, const Effort& effort, const Evaluate& evaluate,
              const Progress& progress) {
     Record record(goal, evaluate, progress);
     const auto is_met = [&] {
         return !goal.minimize && !goal.has_data() && record.best() != nullptr && record.best()->violation <= 0;
     };
-    for (int start = 0; start < starts && !is_met(); ++start)
-        run_from(goal, record, start_point(goal, first, starts, start));
+    for (int start = 0; start < effort.starts && !is_met(); ++start)
+        run_from(goal, record, start_point(goal, first, effort.starts, start));
+    if (effort.global_trials > 0 && !is_met()) {
+        run_global(goal, record, effort.global_trials, is_met);
+        if (record.best() != nullptr && !is_met()) run_from(goal, record, std::vector(record.best()->values));
+    }
     static_cast<void>(record.result());  // refuses a goal without any success
     if (!is_met()) try_neighbours(goal, record);
     return record.result();

@@ -3,6 +3,8 @@
 /// and without bounds are least squares (Levenberg and Marquardt, by Ceres); others sequential quadratic programming (SLSQP of NLopt; Kraft,
 /// ACM Trans. Math. Softw. 20 (1994) 262). A trial whose geometry or path fails shortens the step, or continues the search from the best
 /// trial of the start in a box of half the size, which moves along. Around whole numbers, neighbours are tried until none is better.
+/// On request a global search precedes the last one: dividing rectangles, locally biased (DIRECT-L of NLopt; Gablonsky and Kelley, J. Global
+/// Optim. 21 (2001) 27), for goals with several optima, with steps and with many whole numbers.
 /// If no trial meets all conditions, the one with the smallest largest violation is returned. Variables are divided by their range, conditions
 /// by Condition::scale_SI.
 /// Tested by optimize/search_test.
@@ -34,8 +36,13 @@ struct Starts {
 void run_start(const Goal& goal, const std::vector<double>& first, const Starts& starts, const Evaluate& evaluate,
                const Progress& progress);
 
+struct Effort {
+    int starts = 3;
+    int global_trials = 0;  ///< over the whole range, before the last search from the best trial
+};
+
 /// `first`: the values of the design. Throws Error (bad_input) if no trial succeeds, with the failure of the first one.
-[[nodiscard]] Found search(const Goal& goal, const std::vector<double>& first, int starts, const Evaluate& evaluate,
-                           const Progress& progress);
+[[nodiscard]] Found search(const Goal& goal, const std::vector<double>& first, const Effort& effort,
+                           const Evaluate& evaluate, const Progress& progress);
 
 }  // namespace soft::optimize

@@ -47,6 +47,18 @@ TEST(Variations, MoveTheNodesOfTheOuterFaceWithTheOuterRadius) {
     }
 }
 
+/// 21 mm are exactly 2.5 cells of 8.4 mm, and more or less of them 2 or 3.
+TEST(Variations, RepeatTheNumbersOfCells) {
+    const std::string at_a_half =
+        "family: rod\ngeometry: {length: 21 mm, width: 8.4 mm, height: 8.4 mm}\nmesh: {size: 8.4 mm}\n"
+        "material: {law: neo-hookean, mu: 0.1644 MPa, kappa: incompressible}\n"
+        "loads: {end: {pressure: -20 kPa}}\n";
+    const auto all = varied(at_a_half, {"geometry.length"}).variations;
+    ASSERT_EQ(all.size(), 1u);
+    EXPECT_LT(all[0].parameter.lower, all[0].parameter.value);
+    EXPECT_GT(all[0].parameter.higher, all[0].parameter.value);
+}
+
 TEST(Variations, OfAConstantMoveNothing) {
     const auto all = varied(tube_text, {"material.mu"}).variations;
     ASSERT_EQ(all.size(), 1u);

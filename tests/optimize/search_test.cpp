@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "core/error.hpp"
 #include "samples.hpp"
@@ -36,7 +37,7 @@ Trial hyperbola(const std::vector<double>& v) {
 
 TEST(Search, FindsAConstrainedMinimum) {
     const Goal goal = goal_of({variable("x", 0.1, 4), variable("y", 0.1, 4)}, {condition(equal, 1)}, true);
-    const Found found = search(goal, {3, 0.2}, 1, hyperbola, silent);
+    const Found found = search(goal, {3, 0.2}, {1}, hyperbola, silent);
     EXPECT_EQ(found.violation, 0);
     EXPECT_NEAR(found.values[0], 1, 2e-2);  // flat: the objective is what converges
     EXPECT_NEAR(found.trial.objective.value_SI, 2, 3e-3);
@@ -44,7 +45,7 @@ TEST(Search, FindsAConstrainedMinimum) {
 
 TEST(Search, WithoutAnObjectiveMeetsTheTargets) {
     const Goal goal = goal_of({variable("x", 0.1, 4), variable("y", 0.1, 4)}, {condition(equal, 1)}, false);
-    const Found found = search(goal, {3, 3}, 1, hyperbola, silent);
+    const Found found = search(goal, {3, 3}, {1}, hyperbola, silent);
     EXPECT_NEAR(found.values[0] * found.values[1], 1, 1e-3);
 }
 
@@ -52,14 +53,14 @@ TEST(Search, TargetsCountByWhatTheyAllow) {
     // x = 3 within 0.1 % and x = 2 within 60 %: 3 meets both; the mean of both does not
     const Goal goal = goal_of({variable("x", 1, 4)}, {condition(equal, 3), condition(equal, 2, 0.6)}, false);
     const auto line = [](const std::vector<double>& v) { return Trial{"", {{v[0], {1}}, {v[0], {1}}}, {}, true}; };
-    const Found found = search(goal, {1}, 1, line, silent);
+    const Found found = search(goal, {1}, {1}, line, silent);
     EXPECT_EQ(found.violation, 0);
 }
 
 TEST(Search, ReturnsTheNearestWhereNothingMeetsTheConditions) {
     const Goal goal = goal_of({variable("x", 0, 1)}, {condition(equal, 5), condition(below, 2)}, false);
     const auto line = [](const std::vector<double>& v) { return Trial{"", {{v[0], {1}}, {v[0], {1}}}, {}, true}; };
-    const Found found = search(goal, {0.5}, 2, line, silent);
+    const Found found = search(goal, {0.5}, {2}, line, silent);
     EXPECT_NEAR(found.values[0], 1, 1e-6);
     EXPECT_NEAR(found.violation, 0.8, 2e-3);
 }
@@ -72,9 +73,38 @@ TEST(Search, OfWholeNumbersTriesNeighboursAndOptimizesBetweenThem) {
     const auto product = [](const std::vector<double>& v) {
         return Trial{"", {{v[0] * v[1], {0, v[0]}}}, {(v[0] - 7) * (v[0] - 7) + v[1], {0, 1}}, true};
     };
-    const Found found = search(goal, {12, 5}, 1, product, silent);
+    const Found found = search(goal, {12, 5}, {1}, product, silent);
     EXPECT_EQ(found.values[0], 7);
     EXPECT_NEAR(found.values[1], 12.0 / 7, 1e-2);
+}
+
+/// x^2 / 25 + 1 - cos(2 pi x): a minimum near each whole x, the smallest at 0.
+TEST(Search, GlobalFindsTheSmallestOfManyMinima) {
+    const Goal goal = goal_of({variable("x", -7, 10)}, {}, true);
+    const auto waves = [](const std::vector<double>& v) {
+        const double turn = 2 * std::numbers::pi;
+        return Trial{"",
+                     {},
+                     {v[0] * v[0] / 25 + 1 - std::cos(turn * v[0]), {2 * v[0] / 25 + turn * std::sin(turn * v[0])}},
+                     true};
+    };
+    EXPECT_GT(std::abs(search(goal, {4}, {1}, waves, silent).values[0]), 2);
+    EXPECT_NEAR(search(goal, {4}, {1, 60}, waves, silent).values[0], 0, 1e-2);
+}
+
+/// A cost with steps and two whole numbers: derivatives say nothing, and neighbours of the start are no better.
+TEST(Search, GlobalFindsWholeNumbersFarFromTheStart) {
+    Variable n = variable("n", 1, 20), m = variable("m", 1, 20);
+    n.is_whole = m.is_whole = true;
+    const Goal goal = goal_of({n, m, variable("x", 0, 1)}, {condition(below, 0.5)}, true);
+    const auto steps = [](const std::vector<double>& v) {
+        const double far = std::abs(v[0] - 14) + std::abs(v[1] - 5);
+        return Trial{"", {{v[2], {0, 0, 1}}}, {far > 3 ? 10 : far, {0, 0, 0}}, true};
+    };
+    EXPECT_EQ(search(goal, {2, 19, 0.9}, {1}, steps, silent).trial.objective.value_SI, 10);
+    const Found found = search(goal, {2, 19, 0.9}, {1, 200}, steps, silent);
+    EXPECT_EQ(found.trial.objective.value_SI, 0);
+    EXPECT_EQ(found.violation, 0);
 }
 
 TEST(Search, ContinuesInASmallerBoxAfterATrialThatFails) {
@@ -87,7 +117,7 @@ TEST(Search, ContinuesInASmallerBoxAfterATrialThatFails) {
         }
         return Trial{"", {{std::sqrt(v[0]) * 2, {1 / std::sqrt(v[0])}}}, {}, true};  // 4 at x = 4
     };
-    const Found found = search(goal, {0.2}, 1, fails_beyond_5, silent);
+    const Found found = search(goal, {0.2}, {1}, fails_beyond_5, silent);
     EXPECT_NEAR(found.values[0], 4, 2e-2);
     EXPECT_LT(found.violation, 1e-9);
 }
@@ -96,7 +126,7 @@ TEST(Search, WithoutAnySuccessNamesTheFirstFailure) {
     const Goal goal = goal_of({variable("x", 0, 1)}, {condition(equal, 4)}, false);
     try {
         static_cast<void>(search(
-            goal, {0.5}, 2,
+            goal, {0.5}, {2},
             [](const std::vector<double>&) {
                 return Trial{"walls cross", {}, {}, true};
             },

@@ -42,7 +42,7 @@ Evaluate model(double scale = 1) {
 
 TEST(Statistics, OfALineHaveTheirClosedForm) {
     const Goal goal = line(1);
-    const Found found = search(goal, {1, 1}, 1, model(), silent);
+    const Found found = search(goal, {1, 1}, {1}, model(), silent);
     const auto statistics = statistics_of(goal, found);
     ASSERT_TRUE(statistics);
     double mean = 0, spread = 0, squares = 0;
@@ -66,7 +66,7 @@ TEST(Statistics, AgreeWithTheScatterOfRepeatedFits) {
     double squares = 0, stated = 0;
     for (unsigned seed = 1; seed <= repeats; ++seed) {
         const Goal goal = line(seed);
-        const Found found = search(goal, {1, 1}, 1, model(), silent);
+        const Found found = search(goal, {1, 1}, {1}, model(), silent);
         squares += std::pow(found.values[1] - slope, 2) / repeats;
         stated += std::pow(statistics_of(goal, found)->standard_errors[1], 2) / repeats;
     }
@@ -102,7 +102,7 @@ TEST(Statistics, LeaveOutWhatDoesNotChangeTheDataAndEndAtAnActiveBound) {
         for (Trial::Value& value : trial.conditions) value.gradient.push_back(0);
         return trial;
     };
-    const Found found = search(goal, {1, 1, 0.5}, 1, with_c, silent);
+    const Found found = search(goal, {1, 1, 0.5}, {1}, with_c, silent);
     const auto statistics = statistics_of(goal, found);
     ASSERT_TRUE(statistics);
     EXPECT_EQ(statistics->undetermined, (std::vector<std::size_t>{2}));
@@ -119,7 +119,7 @@ TEST(Statistics, LeaveOutWhatDoesNotChangeTheDataAndEndAtAnActiveBound) {
 TEST(Statistics, NeedMoreTargetsThanVariablesAndLeaveOutEnds) {
     Goal goal = line(1);
     goal.variables[0] = variable("a", 2.5, 10);  // the estimate ends there
-    const Found found = search(goal, {5, 1}, 1, model(), silent);
+    const Found found = search(goal, {5, 1}, {1}, model(), silent);
     EXPECT_TRUE(is_at_end(goal.variables[0], found.values[0]));
     EXPECT_EQ(statistics_of(goal, found)->variables, (std::vector<std::size_t>{1}));
     goal.conditions.resize(1);

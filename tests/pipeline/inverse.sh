@@ -44,6 +44,12 @@ goal 'vary: {geometry.convolutions: {from: 6, to: 12}}
 targets: [{elongation: 60 mm, at: {pressure: 10 kPa}, within: 10 %}]'
 runs 'optimize goal.yaml -q -o found.yaml'
 claim "a whole number stays whole" grep -q '^  convolutions: [0-9]*$' found.yaml
+goal 'vary: {geometry.convolutions: {from: 2, to: 12}, geometry.wall: {from: 2 mm, to: 4 mm}}
+targets: [{elongation: 60 mm, at: {pressure: 15 kPa}}]
+minimize: rubber_volume'
+runs 'optimize goal.yaml --starts 1 --global 12 -q -o found.yaml --json report.json'
+claim "a global search varies whole numbers" [ "$(awk '/ convolutions:/ { print $2 }' found.yaml)" != "$(awk '/convolutions:/ { print $2 }' designs/bellows.yaml)" ]
+claim "and meets the target" has ON report.json met
 printf 'design: designs/tube.yaml\nset: {loads.cavity.pressure: 200 kPa}\nvary: {material.mu: {from: 0.05 MPa, to: 0.5 MPa}}\ntargets: [{limit: {pressure: 80 kPa}}]\n' >goal.yaml
 runs 'optimize goal.yaml --starts 1 -q -o found.yaml'
 # the limit pressure is proportional to mu: 44.34 kPa with 0.1644 MPa, but for the bulk modulus of the design
