@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# Every number of a design by which solve differentiates, against central differences of the whole pipeline.
+#   every_sensitivity.sh BIN CMAKE
+. "$(dirname "${BASH_SOURCE[0]}")/check.sh"
+
+# every DESIGN [OPTION...]: at the last row. The derivative of the load at a fixed output; the runs may end at a load or at an output, so the
+# output of the differences moves along the slope of the row, -d_load / d_output.
+every() {
+    local design="mesh-gen -q designs/$1.yaml --set solver.residual_tolerance=1e-11 ${*:2}" step key value unit d_load d_output sides side
+    runs "$design --sensitivity all | solve -q | postprocess -q --sensitivity -o table.csv"
+    step=$(tail -n 1 table.csv | cut -d, -f1)
+    while IFS=, read -r key value unit d_load d_output; do
+        if [ -z "$d_output" ] || awk -v d="$d_output" 'BEGIN { exit d != 0 }'; then continue; fi
+        sides=
+        for side in 1.0002 0.9998; do
+            runs "$design --set '$key=$(awk -v v="$value" -v s="$side" 'BEGIN { printf "%.15g", v * s }') $unit' | solve -q | postprocess -q -o side.csv"
+            sides+=" $(tail -n 1 side.csv | cut -d, -f2,3)"
+        done
+        claim "$1: $key: $sides $d_load $d_output" awk -v sides="$sides" -v v="$value" -v dl="$d_load" -v du="$d_output" 'BEGIN {
+            split(sides, s, /[ ,]+/); first = s[1] == "" ? 2 : 1
+            found = (s[first] - s[first + 2] + dl / du * (s[first + 1] - s[first + 3])) / 0.0004
+            off = found - dl * v; wanted = 1e-4 * ((dl * v < 0 ? -dl * v : dl * v) + 1e-3 * (s[first] < 0 ? -s[first] : s[first]))
+            exit !(off * off <= wanted * wanted) }'
+    done < <(grep "^$step," table.csv | cut -d, -f4-8)
+}
+every tube
+every fiber-tube --set mesh.quality=draft
+every bellows
+every dome
+every sphere --set "'outputs={growth: {face: outer, along: r}}'"
+every plate
+every panel
+every extruded
+# An amount of gas, beyond the limit point
+every tube --set "'loads.cavity={mass: 20 mg}'" --set path.until={}
