@@ -65,7 +65,7 @@ public:
 
     /// True where nothing can ever touch: evaluate() finds no blocks.
     [[nodiscard]] bool is_empty() const;
-    [[nodiscard]] double distance_m() const;  ///< the largest h
+    [[nodiscard]] double distance_m() const;  ///< the largest h; 0 where nothing can touch
     /// Steps in which the distance of all pairs changes by less than this need no limit.
     [[nodiscard]] double harmless_step_m() const;
     /// Nodes of the free facets, ascending: the positions that evaluate() reads.

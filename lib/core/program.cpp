@@ -103,14 +103,13 @@ ProgramStatus wait_for_program(const RunningProgram& program) {
     return {WIFEXITED(status) && WEXITSTATUS(status) == 0, read_beginning(program.errors.get())};
 }
 
-/// Both ends are close-on-exec: a second writing end in the child would keep the pipe open.
+/// Both ends are close-on-exec: a second writing end, in the child or in one that another thread starts, would keep the pipe open.
 class Pipe {
 public:
     explicit Pipe(std::string_view location) {
-        if (::pipe(ends_.data()) != 0)
+        if (::pipe2(ends_.data(), O_CLOEXEC) != 0)
             throw Error(ExitCode::cannot_create, location,
                         std::string("cannot create a pipe: ") + std::strerror(errno));
-        for (const int end : ends_) static_cast<void>(::fcntl(end, F_SETFD, FD_CLOEXEC));
     }
     ~Pipe() {
         close_writer();

@@ -1,8 +1,13 @@
 #include "view/animation.hpp"
 
+#include <algorithm>
+#include <deque>
+#include <functional>
+#include <future>
 #include <set>
 #include <string>
 #include <system_error>
+#include <thread>
 
 #include "core/error.hpp"
 #include "core/files.hpp"
@@ -14,16 +19,33 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Draws the frames side by side, and takes them one after the other.
+void draw_side_by_side(std::size_t count, const std::function<core::Bytes(std::size_t)>& draw,
+                       const std::function<void(const core::Bytes&)>& take, const Progress& progress) {
+    const std::size_t at_once = std::max(1U, std::thread::hardware_concurrency());
+    std::deque<std::future<core::Bytes>> frames;
+    for (std::size_t k = 0, next = 0; k < count; ++k) {
+        for (; next < std::min(count, k + at_once); ++next)
+            frames.push_back(std::async(std::launch::async, draw, next));
+        progress(k);
+        take(frames.front().get());
+        frames.pop_front();
+    }
+    progress(count);
+}
+
 std::size_t draw_frames(const Body& body, const PictureStyle& style, std::span<const Shot> shots,
                         const fs::path& folder, const Progress& progress) {
     const Framing frame = framing(body, style, shots);
+    draw_side_by_side(
+        shots.size(),
+        [&](std::size_t k) {
+            draw_picture(body, style, frame, shots[k], folder / numbered_name(frame_numbering, k));
+            return core::Bytes{};
+        },
+        [](const core::Bytes&) {}, progress);
     std::set<std::size_t> drawn;
-    for (std::size_t k = 0; k < shots.size(); ++k) {
-        progress(k);
-        draw_picture(body, style, frame, shots[k], folder / numbered_name(frame_numbering, k));
-        drawn.insert(k);
-    }
-    progress(shots.size());
+    for (std::size_t k = 0; k < shots.size(); ++k) drawn.insert(k);
     return remove_stale_files(folder, frame_numbering, drawn);
 }
 
@@ -31,12 +53,12 @@ void draw_film(const Body& body, const PictureStyle& style, std::span<const Shot
                const Progress& progress) {
     const Framing frame = framing(body, style, shots);
     std::string pictures;
-    for (std::size_t k = 0; k < shots.size(); ++k) {
-        progress(k);
-        const core::Bytes picture = picture_png(body, style, frame, shots[k], file.string());
-        pictures.append(reinterpret_cast<const char*>(picture.data()), picture.size());
-    }
-    progress(shots.size());
+    draw_side_by_side(
+        shots.size(), [&](std::size_t k) { return picture_png(body, style, frame, shots[k], file.string()); },
+        [&](const core::Bytes& picture) {
+            pictures.append(reinterpret_cast<const char*>(picture.data()), picture.size());
+        },
+        progress);
     const core::Bytes film = film_bytes(film_format(file), pictures, shots.size(), file.string());
     core::AtomicFile target(file);
     static_cast<void>(target.write(film));

@@ -104,7 +104,7 @@ void fill_body(Raster& raster, const Body& body, const Framing& frame, const Sho
 void draw_outline(Raster& raster, const Body& body, const Framing& frame) {
     const auto positions = vertex_positions(body.skin, body.undeformed_bases_m);
     const auto at = in_raster(frame, positions);
-    Raster itself(raster.width(), raster.height());
+    Raster itself(raster.width(), raster.height(), Raster::Colours::none);
     for (const auto& [a, b, c] : triangles(body.skin))
         itself.hide(
             {at[static_cast<std::size_t>(a)], at[static_cast<std::size_t>(b)], at[static_cast<std::size_t>(c)]});
@@ -129,6 +129,35 @@ void draw_obstacles(Raster& raster, const Body& body, const Framing& frame, cons
             lines.push_back({at[0], at[1]});
         }
     raster.lines(lines, {.colour = {0.1, 0.3, 0.65}, .width = 1.2 * oversampling, .in_front = 0.7, .behind = 0.15});
+}
+
+struct Image {
+    int left = 0, low = 0, width = 1, height = 1;
+    std::vector<std::uint8_t> bytes;
+};
+
+/// What is not white: gnuplot draws pixel by pixel.
+Image drawn_part(const std::vector<std::uint8_t>& bytes, int width) {
+    const auto row_bytes = 3 * static_cast<std::size_t>(width);
+    const int height = static_cast<int>(bytes.size() / row_bytes);
+    int left = width, right = -1, low = height, high = -1;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const std::uint8_t* c = &bytes[static_cast<std::size_t>(y) * row_bytes + 3 * static_cast<std::size_t>(x)];
+            if (c[0] == 255 && c[1] == 255 && c[2] == 255) continue;
+            left = std::min(left, x);
+            right = std::max(right, x);
+            low = std::min(low, y);
+            high = y;
+        }
+    if (high < 0) return {0, 0, 1, 1, {255, 255, 255}};
+    Image image{left, low, right - left + 1, high - low + 1, {}};
+    for (int y = low; y <= high; ++y) {
+        const auto begin =
+            bytes.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * row_bytes) + 3 * left;
+        image.bytes.insert(image.bytes.end(), begin, begin + 3 * image.width);
+    }
+    return image;
 }
 
 std::string number(double value) { return core::rounded_text(value, 8); }
@@ -218,10 +247,11 @@ std::string picture_script(const PictureStyle& style, const Framing& frame, cons
               " nohead linewidth 3 linecolor rgb 'black' front\n";
     script += "set label 2 " + post::gnuplot_text(core::quantity_text(bar_m, core::Dimension::length)) + " at " +
               number(x0 + bar_px / 2) + "," + number(y0 + 1.2 * font) + " center front\n";
-    script += "plot '-' binary array=(" + w + "," + h +
+    const Image image = drawn_part(raster.reduced(oversampling), frame.width_px);
+    script += "plot '-' binary array=(" + std::to_string(image.width) + "," + std::to_string(image.height) +
+              ") origin=(" + std::to_string(image.left) + "," + std::to_string(image.low) +
               ") format='%uchar%uchar%uchar' using 1:2:3 with rgbimage, NaN with points palette\n";
-    const auto bytes = raster.reduced(oversampling);
-    script.append(bytes.begin(), bytes.end());
+    script.append(image.bytes.begin(), image.bytes.end());
     return script;
 }
 

@@ -14,22 +14,24 @@ double area(const Vector3& a, const Vector3& b, double x, double y) {
 }
 
 /// Palette colour with shading: bright enough that the colour remains recognizable, with a faint specular highlight.
-std::array<float, 3> lit(double value, double light) {
+std::array<double, 3> lit(double value, double light) {
     const Rgb colour = viridis_at(value);
     const double strength = 0.68 + 0.32 * light;
     const double squared = light * light, fourth = squared * squared, gloss = 0.12 * fourth * fourth;
-    const auto mixed = [&](double c) { return static_cast<float>(strength * c + gloss * (1.0 - strength * c)); };
+    const auto mixed = [&](double c) { return strength * c + gloss * (1.0 - strength * c); };
     return {mixed(colour.red), mixed(colour.green), mixed(colour.blue)};
 }
 
+std::uint8_t byte_of(double c) { return static_cast<std::uint8_t>(std::lround(255 * c)); }
+
 }  // namespace
 
-Raster::Raster(int width, int height)
+Raster::Raster(int width, int height, Colours colours)
     : width_(width),
       height_(height),
       depth_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
              -std::numeric_limits<float>::infinity()),
-      colour_(depth_.size(), {1.0F, 1.0F, 1.0F}) {}
+      colour_(colours == Colours::white ? 3 * depth_.size() : 0, 255) {}
 
 template <class Paint>
 void Raster::visit(const std::array<Vector3, 3>& t, Paint&& paint) {
@@ -57,8 +59,9 @@ void Raster::visit(const std::array<Vector3, 3>& t, Paint&& paint) {
 
 void Raster::fill(const std::array<Corner, 3>& c) {
     visit({c[0].at, c[1].at, c[2].at}, [&](std::size_t i, const std::array<double, 3>& s) {
-        colour_[i] = lit(s[0] * c[0].value + s[1] * c[1].value + s[2] * c[2].value,
-                         s[0] * c[0].light + s[1] * c[1].light + s[2] * c[2].light);
+        const auto colour = lit(s[0] * c[0].value + s[1] * c[1].value + s[2] * c[2].value,
+                                s[0] * c[0].light + s[1] * c[1].light + s[2] * c[2].light);
+        for (std::size_t k = 0; k < 3; ++k) colour_[3 * i + k] = byte_of(colour[k]);
     });
 }
 
@@ -66,8 +69,7 @@ void Raster::hide(const std::array<Vector3, 3>& triangle) {
     visit(triangle, [](std::size_t, const std::array<double, 3>&) {});
 }
 
-void Raster::cover(const Segment& segment, const Stroke& stroke, const Raster* hiding,
-                   std::vector<float>& opacity) const {
+void Raster::cover(const Segment& segment, const Stroke& stroke, const Raster* hiding) {
     const auto& [from, to] = segment;
     const double dx = to[0] - from[0], dy = to[1] - from[1], squared = dx * dx + dy * dy, half = 0.5 * stroke.width;
     const int x0 = std::max(0, static_cast<int>(std::floor(std::min(from[0], to[0]) - half)));
@@ -84,22 +86,24 @@ void Raster::cover(const Segment& segment, const Stroke& stroke, const Raster* h
             const std::size_t i = index(x, y);
             if (hiding != nullptr && depth < hiding->depth_[i]) continue;
             const double ink = depth < depth_[i] ? stroke.behind : stroke.in_front;
-            opacity[i] = std::max(opacity[i], static_cast<float>(ink));
+            opacity_[i] = std::max(opacity_[i], static_cast<float>(ink));
         }
 }
 
 void Raster::lines(std::span<const Segment> segments, const Stroke& stroke, const Raster* hiding) {
-    std::vector<float> opacity(depth_.size(), 0.0F);
-    for (const Segment& segment : segments) cover(segment, stroke, hiding, opacity);
-    const std::array<float, 3> ink{static_cast<float>(stroke.colour.red), static_cast<float>(stroke.colour.green),
-                                   static_cast<float>(stroke.colour.blue)};
-    for (std::size_t i = 0; i < opacity.size(); ++i)
-        for (std::size_t k = 0; k < 3; ++k) colour_[i][k] += opacity[i] * (ink[k] - colour_[i][k]);
+    opacity_.assign(depth_.size(), 0.0F);
+    for (const Segment& segment : segments) cover(segment, stroke, hiding);
+    const std::array<double, 3> ink{stroke.colour.red, stroke.colour.green, stroke.colour.blue};
+    for (std::size_t i = 0; i < opacity_.size(); ++i)
+        for (std::size_t k = 0; k < 3 && opacity_[i] > 0; ++k) {
+            const double before = colour_[3 * i + k] / 255.0;
+            colour_[3 * i + k] = byte_of(before + opacity_[i] * (ink[k] - before));
+        }
 }
 
 Rgb Raster::colour(int x, int y) const {
-    const auto& c = colour_[index(x, y)];
-    return {c[0], c[1], c[2]};
+    const std::uint8_t* c = &colour_[3 * index(x, y)];
+    return {c[0] / 255.0, c[1] / 255.0, c[2] / 255.0};
 }
 
 std::vector<std::uint8_t> Raster::reduced(int side) const {
@@ -108,10 +112,10 @@ std::vector<std::uint8_t> Raster::reduced(int side) const {
     for (int y = 0; y + side <= height_; y += side)
         for (int x = 0; x + side <= width_; x += side)
             for (std::size_t k = 0; k < 3; ++k) {
-                float sum = 0;
+                int sum = side * side / 2;
                 for (int j = 0; j < side; ++j)
-                    for (int i = 0; i < side; ++i) sum += colour_[index(x + i, y + j)][k];
-                bytes.push_back(static_cast<std::uint8_t>(std::lround(255.0F * sum / static_cast<float>(side * side))));
+                    for (int i = 0; i < side; ++i) sum += colour_[3 * index(x + i, y + j) + k];
+                bytes.push_back(static_cast<std::uint8_t>(sum / (side * side)));
             }
     return bytes;
 }

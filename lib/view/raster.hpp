@@ -30,13 +30,14 @@ struct Stroke {
 
 class Raster {
 public:
-    /// A white, empty picture.
-    Raster(int width, int height);
+    /// A white, empty picture; without colours it only hides lines of another one.
+    enum class Colours { none, white };
+    Raster(int width, int height, Colours colours = Colours::white);
 
     [[nodiscard]] int width() const noexcept { return width_; }
     [[nodiscard]] int height() const noexcept { return height_; }
 
-    /// Draws colour and depth.
+    /// Draws colour and depth of a picture with colours.
     void fill(const std::array<Corner, 3>& triangle);
     /// Draws depth only: an invisible triangle that hides lines behind it.
     void hide(const std::array<Vector3, 3>& triangle);
@@ -49,7 +50,7 @@ public:
     [[nodiscard]] std::vector<std::uint8_t> reduced(int side) const;
 
 private:
-    void cover(const Segment& segment, const Stroke& stroke, const Raster* hiding, std::vector<float>& opacity) const;
+    void cover(const Segment& segment, const Stroke& stroke, const Raster* hiding);
     template <class Paint>
     void visit(const std::array<Vector3, 3>& triangle, Paint&& paint);
     [[nodiscard]] std::size_t index(int x, int y) const {
@@ -58,7 +59,8 @@ private:
 
     int width_, height_;
     std::vector<float> depth_;
-    std::vector<std::array<float, 3>> colour_;
+    std::vector<std::uint8_t> colour_;  // red, green, blue of each pixel
+    std::vector<float> opacity_;        // of the lines being drawn
 };
 
 }  // namespace soft::view

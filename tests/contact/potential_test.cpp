@@ -261,8 +261,8 @@ TEST_P(PotentialOf, DerivativesOfFrictionAreExactOnAPlane) {
         for (const double slip : {0.05, 3.0}) {
             model::Case model =
                 with_settings(test::two_blocks(kinematics == model::Kinematics::solid ? 3 : 2, GetParam(), kinematics));
-            model.contact.self = false;
             const double h = Potential(model, std::array{modulus_Pa}).distance_m();
+            model.contact.self = false;
             model.obstacles.push_back({"plane", model::Plane{{-2 * h, 0, 0}, {1, 0, 0}}, 0.6});
             Potential potential(model, std::array{modulus_Pa});
             State state{model.mesh.points, {{}}};

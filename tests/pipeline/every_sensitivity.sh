@@ -21,7 +21,7 @@ every() {
             found = (s[first] - s[first + 2] + dl / du * (s[first + 1] - s[first + 3])) / 0.0004
             off = found - dl * v; wanted = 1e-4 * ((dl * v < 0 ? -dl * v : dl * v) + 1e-3 * (s[first] < 0 ? -s[first] : s[first]))
             exit !(off * off <= wanted * wanted) }'
-    done < <(grep "^$step," table.csv | cut -d, -f4-8)
+    done < <(grep "^$step," table.csv | cut -d, -f4-8 | grep "^${only:-}")
 }
 every tube
 every fiber-tube --set mesh.quality=draft
@@ -33,3 +33,18 @@ every panel
 every extruded
 # An amount of gas, beyond the limit point
 every tube --set "'loads.cavity={mass: 20 mg}'" --set path.until={}
+
+# All constants of all laws, those of fibres included; the stress of kraken has no energy, and linear-elastic no finite strain.
+only=material
+law() { every rod --set model=quarter --set mesh.size=5mm --set loads.end.pressure=-100kPa --set "'material={law: $1}'" "${@:2}"; }
+law 'saint-venant-kirchhoff, mu: 0.2 MPa, kappa: 2 MPa'
+law 'neo-hookean, mu: 0.2 MPa, kappa: 4 MPa'
+law 'neo-hookean-compressible, mu: 0.2 MPa, kappa: 4 MPa'
+law 'mooney-rivlin, c10: 0.08 MPa, c01: 0.02 MPa, c20: 2 kPa, c11: 1 kPa, c02: 1 kPa, kappa: incompressible'
+law 'yeoh, c1: 0.1 MPa, c2: 5 kPa, c3: 1 kPa, a: 0.01 MPa, b: 2, kappa: incompressible'
+law 'ogden, mu: [0.1 MPa, 0.05 MPa], alpha: [1.5, 4], kappa: incompressible'
+law 'gent, mu: 0.2 MPa, jm: 20, kappa: incompressible'
+law 'arruda-boyce, mu: 0.2 MPa, locking_stretch: 3, kappa: incompressible'
+law 'holzapfel-gasser-ogden, mu: 0.2 MPa, k1: 0.1 MPa, k2: 0.5, angle: 30 deg, kappa: incompressible'
+law 'kraken, mu: 0.2 MPa, kappa: 2 MPa' --set mesh.formulation=displacement
+law 'linear-elastic, mu: 0.2 MPa, kappa: 2 MPa'

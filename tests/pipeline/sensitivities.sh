@@ -58,6 +58,9 @@ column pressure_kPa rod.csv >found
 for exact in -162.2642 -176.9644 -196.8257; do
     read -r pressure; claim "beside it the curve is exact" within "$(ratio "$pressure" "$exact")" 0.9999 1.0001
 done <found
+runs "mesh-gen -q designs/rod.yaml --set mesh.size=10mm --set path.until.elongation=35mm --set 'material={law: neo-hookean, mu: 0.15 MPa, kappa: incompressible}' --sensitivity geometry.length,material.mu | solve -q | postprocess -q --sensitivity -o table.csv"
+claim "d ln p / d ln mu = 1" within "$(cell d_load_percent material.mu table.csv)" 0.99999 1.00001
+claim "dp/dL = -mu (2 l + 1 / l^2) u / L^2" within "$(ratio "$(cell d_load geometry.length table.csv)" 1.7055658)" 0.99999 1.00001
 claim "without load there is no derivative" [ "$(postprocess -q rod.h5 --sensitivity | awk -F, '$1 == 0 && $4 == "material.mu" { print $7 }')" = 0 ]
 runs 'postprocess -q rod.h5 --tolerances geometry.width=0.5mm --at elongation=39mm -o rod.csv'
 claim "and the width has no influence there" within "$(column band_rss_pressure_kPa rod.csv)" 0 1e-3

@@ -54,8 +54,8 @@ TEST(Raster, OpacityDoesNotAddUpWhereSegmentsOverlap) {
     const Segment left{{{0, 5, 0}, {20, 5, 0}}}, right{{{20, 5, 0}, {40, 5, 0}}};
     const std::array<Segment, 2> both{left, right};
     raster.lines(both, {.colour = {0, 0, 0}, .width = 2, .in_front = 0.5, .behind = 0.5});
-    EXPECT_FLOAT_EQ(static_cast<float>(raster.colour(20, 5).red), 0.5F);
-    EXPECT_FLOAT_EQ(static_cast<float>(raster.colour(10, 5).red), 0.5F);
+    EXPECT_NEAR(raster.colour(20, 5).red, 0.5, 0.5 / 255);
+    EXPECT_NEAR(raster.colour(10, 5).red, 0.5, 0.5 / 255);
 }
 
 TEST(Raster, ALineBehindTheSurfaceIsFainter) {
@@ -66,7 +66,7 @@ TEST(Raster, ALineBehindTheSurfaceIsFainter) {
     const std::array<Segment, 1> behind{{{{{0, 5, -1}, {40, 5, -1}}}}}, before_it{{{{{0, 15, 1}, {40, 15, 1}}}}};
     raster.lines(behind, stroke);
     raster.lines(before_it, stroke);
-    EXPECT_NEAR(raster.colour(10, 5).red, 0.75 * before.red, 1e-6);
+    EXPECT_NEAR(raster.colour(10, 5).red, 0.75 * before.red, 0.5 / 255);
     EXPECT_NEAR(raster.colour(10, 15).red, 0.0, 1e-6);
 }
 
