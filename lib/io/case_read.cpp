@@ -152,8 +152,9 @@ model::Shape read_shape(const GroupReader& group) {
 
 model::Variation::Side read_side(const GroupReader& group, const mesh::Mesh& mesh) {
     model::Variation::Side side{{}, read_shape(group.group("shape")), group.text("effective_yaml")};
-    const auto coordinates = group.array<double>("points", {extent(mesh.points.size()), 3});
-    for (std::size_t i = 0; i < mesh.points.size(); ++i) side.points.push_back(triple<double>(coordinates, i));
+    const auto moves = group.array<double>("moves", {extent(mesh.points.size()), 3});
+    for (std::size_t i = 0; i < mesh.points.size(); ++i)
+        side.points.push_back(along(mesh.points[i], 1, triple<double>(moves, i)));
     mesh::Mesh moved = mesh;
     moved.points = side.points;
     check_case(moved, side.shape, group.origin().source, ExitCode::bad_input);

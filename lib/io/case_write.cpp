@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "io/image.hpp"
 #include "io/names.hpp"
 #include "io/provenance_io.hpp"
+#include "math/vector.hpp"
 
 namespace soft::io {
 namespace {
@@ -157,17 +159,20 @@ void write_shape(hid_t root, const model::Shape& shape) {
     write_obstacles(group.get(), shape.obstacles);
 }
 
-void write_side(hid_t parent, const char* name, const model::Variation::Side& side) {
+/// Moves of the points instead of their positions: most are 0 or alike, and compress well.
+void write_side(hid_t parent, const char* name, const mesh::Mesh& mesh, const model::Variation::Side& side) {
     const GroupHandle group = create_group(parent, name, "what differs from the case");
     write_text(group.get(), {"effective_yaml", "1", "the design with this value"}, side.effective_yaml);
-    write_list(group.get(), {"points", "m", "reference position x, y, z; x, r, 0 in a section"},
-               rows_of_three<double>(side.points, [](const mesh::Point& point) { return point; }),
-               {side.points.size(), 3});
+    std::vector<mesh::Point> moves(side.points.size());
+    std::ranges::transform(side.points, mesh.points, moves.begin(), difference);
+    write_list(group.get(),
+               {"moves", "m", "of the points, from their positions in the case: x, y, z; x, r, 0 in a section"},
+               rows_of_three<double>(moves, [](const mesh::Point& move) { return move; }), {moves.size(), 3});
     write_shape(group.get(), side.shape);
 }
 
 /// One group per number of the design, "0", "1", ...
-void write_variations(hid_t root, std::span<const model::Variation> variations) {
+void write_variations(hid_t root, const mesh::Mesh& mesh, std::span<const model::Variation> variations) {
     if (variations.empty()) return;
     const GroupHandle group =
         create_group(root, "variations", "the case with a smaller and a larger value of a number of the design");
@@ -180,8 +185,8 @@ void write_variations(hid_t root, std::span<const model::Variation> variations) 
         write_number(one.get(), {"value", "1", "in the case, SI"}, parameter.value);
         write_number(one.get(), {"lower_value", "1", "SI"}, parameter.lower);
         write_number(one.get(), {"higher_value", "1", "SI"}, parameter.higher);
-        write_side(one.get(), "lower", lower);
-        write_side(one.get(), "higher", higher);
+        write_side(one.get(), "lower", mesh, lower);
+        write_side(one.get(), "higher", mesh, higher);
     }
 }
 
@@ -200,7 +205,7 @@ std::vector<std::byte> write_case(const mesh::Mesh& mesh, const model::Shape& sh
         write_vtkhdf(root.get(), mesh);
         write_mesh(root.get(), mesh);
         write_shape(root.get(), shape);
-        write_variations(root.get(), variations);
+        write_variations(root.get(), mesh, variations);
         const GroupHandle records = create_group(root.get(), "provenance", "one record per program");
         write_provenance(records.get(), provenance);
     }
