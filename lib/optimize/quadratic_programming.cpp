@@ -11,6 +11,8 @@ namespace {
 
 constexpr int max_trials_of_a_start = 40, max_restarts = 12;
 constexpr double step_tolerance = 1e-4, value_tolerance = 1e-4;
+/// Gain of the objective by a restart, below which no other follows.
+constexpr double restart_tolerance = 1e-3;
 /// Equalities are aimed at within this share of what is allowed.
 constexpr double aim = 0.5;
 
@@ -131,12 +133,17 @@ void run_quadratic_programming(const Goal& goal, Record& record, const std::vect
     std::optional<Found> best;
     double half = 1;
     for (int restart = 0; restart < max_restarts; ++restart) {
+        const std::optional<Found> before = best;
         try {
             if (run_in_box(goal, record, centre, half, best) == InBox::ends_inside) return;
         } catch (const TrialFailed&) {
             half *= 0.5;
         }
         if (best) centre = best->values;
+        if (before && before->violation <= 0 && goal.minimize) {  // what limits the trials is where they fail
+            const double was = record.objective(before->trial, nullptr), is = record.objective(best->trial, nullptr);
+            if (std::abs(is - was) <= restart_tolerance * std::abs(was)) return;
+        }
     }
 }
 

@@ -45,14 +45,22 @@ void try_neighbours(const Goal& goal, Record& record) {
     }
 }
 
-std::vector<double> start_point(const Goal& goal, const std::vector<double>& first, int starts, int start) {
+/// The design for the first start; for the others one of a few points whose trial succeeds.
+std::vector<double> start_point(const Goal& goal, Record& record, const std::vector<double>& first,
+                                const Starts& starts) {
+    constexpr unsigned attempts = 8;
     std::vector<double> point = first;
-    const auto points = sweep::latin_hypercube({std::max(1, starts - 1), static_cast<int>(first.size())}, 1);
-    for (std::size_t i = 0; i < point.size(); ++i) {
-        const Variable& variable = goal.variables[i];
-        if (start > 0) point[i] = variable.from + points[static_cast<std::size_t>(start) - 1][i] * variable.range();
-        if (variable.is_whole) point[i] = std::round(point[i]);
-        point[i] = std::clamp(point[i], variable.from, variable.to);
+    for (unsigned attempt = 1; attempt <= attempts; ++attempt) {
+        const auto points =
+            sweep::latin_hypercube({std::max(1, starts.count - 1), static_cast<int>(first.size())}, attempt);
+        for (std::size_t i = 0; i < point.size(); ++i) {
+            const Variable& variable = goal.variables[i];
+            if (starts.index > 0)
+                point[i] = variable.from + points[static_cast<std::size_t>(starts.index) - 1][i] * variable.range();
+            if (variable.is_whole) point[i] = std::round(point[i]);
+            point[i] = std::clamp(point[i], variable.from, variable.to);
+        }
+        if (starts.index == 0 || record.at(point).failure.empty()) break;
     }
     return point;
 }
@@ -74,7 +82,7 @@ double violation_of(const Condition& condition, double value_SI) {
 void run_start(const Goal& goal, const std::vector<double>& first, const Starts& starts, const Evaluate& evaluate,
                const Progress& progress) {
     Record record(goal, evaluate, progress);
-    run_from(goal, record, start_point(goal, first, starts.count, starts.index));
+    run_from(goal, record, start_point(goal, record, first, starts));
 }
 
 Found search(const Goal& goal, const std::vector<double>& first, const Effort& effort, const Evaluate& evaluate,
@@ -84,7 +92,7 @@ Found search(const Goal& goal, const std::vector<double>& first, const Effort& e
         return !goal.minimize && !goal.has_data() && record.best() != nullptr && record.best()->violation <= 0;
     };
     for (int start = 0; start < effort.starts && !is_met(); ++start)
-        run_from(goal, record, start_point(goal, first, effort.starts, start));
+        run_from(goal, record, start_point(goal, record, first, {effort.starts, start}));
     if (effort.global_trials > 0 && !is_met()) {
         run_global(goal, record, effort.global_trials, is_met);
         if (record.best() != nullptr && !is_met()) run_from(goal, record, std::vector(record.best()->values));

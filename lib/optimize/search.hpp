@@ -2,7 +2,7 @@
 /// Searches for the values of a goal's variables, from the values of the design and from points of a Latin hypercube. Goals without an objective
 /// and without bounds are least squares (Levenberg and Marquardt, by Ceres); others sequential quadratic programming (SLSQP of NLopt; Kraft,
 /// ACM Trans. Math. Softw. 20 (1994) 262). A trial whose geometry or path fails shortens the step, or continues the search from the best
-/// trial of the start in a box of half the size, which moves along. Around whole numbers, neighbours are tried until none is better.
+/// trial of the start in a box of half the size, which moves along, as long as that gains something. A start whose first trial fails is replaced. Around whole numbers, neighbours are tried until none is better.
 /// On request a global search precedes the last one: dividing rectangles, locally biased (DIRECT-L of NLopt; Gablonsky and Kelley, J. Global
 /// Optim. 21 (2001) 27), for goals with several optima, with steps and with many whole numbers.
 /// If no trial meets all conditions, the one with the smallest largest violation is returned. Variables are divided by their range, conditions
