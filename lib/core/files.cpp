@@ -184,8 +184,8 @@ int AtomicFile::link_unnamed() {
 WriteStatus AtomicFile::write(std::span<const std::byte> bytes) { return write_all(descriptor_, bytes, name_); }
 
 void AtomicFile::commit() {
-    // Closing reports failures of delayed writes. A duplicate is closed, so that only the rename follows the link. Signals wait until both
-    // are done; a process that SIGKILL ends between them, where it replaces a file, leaves the temporary name.
+    // Closing reports failures of delayed writes. A duplicate is closed, so that only the rename follows the link. Signals to this
+    // thread wait until both are done; a process that ends between them, where it replaces a file, leaves the temporary name.
     int error = ::close(::dup(descriptor_)) == 0 ? 0 : errno;
     sigset_t all, before;
     sigfillset(&all);

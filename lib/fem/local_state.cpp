@@ -40,11 +40,8 @@ LocalState::LocalState(const Discretization& fe, std::span<const mesh::Index> no
       internal_(fe) {
     const auto dofs = unknowns_read(fe, nodes);
     linalg::IndexSet wanted;
-    const auto count = static_cast<PetscInt>(dofs.size());
-    if (count == fe.dofs.total)  // copied as a whole
-        SOFT_PETSC(ISCreateStride(PETSC_COMM_SELF, count, 0, 1, wanted.out()));
-    else
-        SOFT_PETSC(ISCreateGeneral(PETSC_COMM_SELF, count, dofs.data(), PETSC_COPY_VALUES, wanted.out()));
+    SOFT_PETSC(ISCreateGeneral(PETSC_COMM_SELF, static_cast<PetscInt>(dofs.size()), dofs.data(), PETSC_COPY_VALUES,
+                               wanted.out()));
     SOFT_PETSC(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, fe.dofs.total, values_.data() + first_, unknowns_.out()));
     SOFT_PETSC(VecScatterCreate(fe.make_vector(), wanted, unknowns_, wanted, scatter_.out()));
 }

@@ -80,9 +80,9 @@ void find_shape_gradients(const ReferenceCell& cell, model::Kinematics kinematic
                           const CellInput& in, std::span<const std::vector<double>> psis, CellOutput& out,
                           std::vector<std::vector<double>>& shape) {
     const auto find = [&]<bool Axisymmetric>(std::bool_constant<Axisymmetric>) {
+        shape.assign(psis.size(), std::vector<double>(in.X.size(), 0.0));
         if (!detail::evaluate_points<Axisymmetric>(cell, rubber, in, material::Wanted::stress_and_tangent, out)) return;
         const std::vector<double> stress = out.points.law.first_piola;
-        shape.resize(psis.size());
         for (std::size_t k = 0; k < psis.size(); ++k)
             detail::sum_shape_gradient<Axisymmetric>(cell, rubber.inverse_bulk_modulus, in, psis[k], stress, out,
                                                      shape[k]);

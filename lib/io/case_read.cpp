@@ -9,6 +9,7 @@
 #include "io/names.hpp"
 #include "io/provenance_io.hpp"
 #include "io/subprocess_read.hpp"
+#include "math/vector.hpp"
 
 namespace soft::io {
 namespace {

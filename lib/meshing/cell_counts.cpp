@@ -14,18 +14,23 @@ struct Counts {
 };
 thread_local Counts counts;
 
-void run_with(Counts other, const std::function<void()>& generate) {
+/// Returns how many numbers were repeated.
+std::size_t run_with(Counts other, const std::function<void()>& generate) {
     struct Restored {
         Counts before;
         ~Restored() { counts = before; }
     } const restored{std::exchange(counts, other)};
     generate();
+    return counts.next;
 }
 
 }  // namespace
 
 int cell_count(const std::function<int()>& decide) {
-    if (counts.repeated != nullptr && counts.next < counts.repeated->size()) return (*counts.repeated)[counts.next++];
+    if (counts.repeated != nullptr) {
+        const std::size_t place = counts.next++;
+        return place < counts.repeated->size() ? (*counts.repeated)[place] : decide();
+    }
     std::vector<int>* const recorded = std::exchange(counts.recorded, nullptr);  // a decision may ask for others
     const int decided = decide();
     counts.recorded = recorded;
@@ -35,12 +40,12 @@ int cell_count(const std::function<int()>& decide) {
 
 std::vector<int> record_counts(const std::function<void()>& generate) {
     std::vector<int> recorded;
-    run_with({&recorded, nullptr, 0}, generate);
+    static_cast<void>(run_with({&recorded, nullptr, 0}, generate));
     return recorded;
 }
 
-void repeat_counts(const std::vector<int>& repeated, const std::function<void()>& generate) {
-    run_with({nullptr, &repeated, 0}, generate);
+bool repeat_counts(const std::vector<int>& repeated, const std::function<void()>& generate) {
+    return run_with({nullptr, &repeated, 0}, generate) == repeated.size();
 }
 
 }  // namespace soft::meshing

@@ -12,7 +12,7 @@ namespace soft::meshing {
 
 /// The numbers that generate() decides in this thread.
 [[nodiscard]] std::vector<int> record_counts(const std::function<void()>& generate);
-/// Runs generate() with these numbers.
-void repeat_counts(const std::vector<int>& counts, const std::function<void()>& generate);
+/// Runs generate() with these numbers; false if it does not ask for exactly as many.
+[[nodiscard]] bool repeat_counts(const std::vector<int>& counts, const std::function<void()>& generate);
 
 }  // namespace soft::meshing

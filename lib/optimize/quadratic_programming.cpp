@@ -13,6 +13,8 @@ constexpr int max_trials_of_a_start = 40, max_restarts = 12;
 constexpr double step_tolerance = 1e-4, value_tolerance = 1e-4;
 /// Gain of the objective by a restart, below which no other follows.
 constexpr double restart_tolerance = 1e-3;
+/// Half the side of the smallest box around a trial that meets all conditions.
+constexpr double smallest_half = 5e-3;
 /// Equalities are aimed at within this share of what is allowed.
 constexpr double aim = 0.5;
 
@@ -142,7 +144,8 @@ void run_quadratic_programming(const Goal& goal, Record& record, const std::vect
         if (best) centre = best->values;
         if (before && before->violation <= 0 && goal.minimize) {  // what limits the trials is where they fail
             const double was = record.objective(before->trial, nullptr), is = record.objective(best->trial, nullptr);
-            if (std::abs(is - was) <= restart_tolerance * std::abs(was)) return;
+            const bool gains_little = is != was && std::abs(is - was) <= restart_tolerance * std::abs(was);
+            if (gains_little || half < smallest_half) return;
         }
     }
 }

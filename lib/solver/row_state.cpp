@@ -15,7 +15,6 @@ double first_traction_Pa(const model::Case& input, const LoadLevels& levels) {
     return levels.dead_loads[first] * std::hypot(t[0], t[1], t[2]);
 }
 
-/// The leading load from levels, or its slope from their slopes.
 /// Of the tangents in a row: on a path in time, slopes are by time.
 double scale_of(const PathPoint& point) {
     return point.level_slopes.time_s > 0.0 ? 1.0 / point.level_slopes.time_s : 1.0;

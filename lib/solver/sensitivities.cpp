@@ -101,7 +101,7 @@ struct Sensitivities::Parameter {
     std::array<Varied, 2> varied;
     double margin = 0;                          ///< for loading, see loading_margin
     bool is_rough = false;                      ///< a difference to one side is not accurate enough
-    bool keeps_materials = false;               ///< the forces of the cells depend on it by the nodes alone
+    bool moves_nodes_only = false;              ///< the forces of the cells depend on it by the nodes alone
     std::array<std::optional<State>, 2> moved;  ///< with internal variables, the states of both systems at the row
     StageStart start_slope = {};                ///< derivative of the start of the next stage
 
@@ -147,8 +147,13 @@ Sensitivities::Sensitivities(const fem::System& base, std::span<const std::array
         parameters_.emplace_back();
         parameters_.back().varied[0] = {.change = of.lower - of.value, .input = &variations[i][0]};
         parameters_.back().is_rough = is_stiff || of.higher - of.value > small_change * std::abs(of.value);
-        parameters_.back().keeps_materials = std::ranges::all_of(
-            variations[i], [&](const model::Case& side) { return side.materials == base.input().materials; });
+        // A face that is moved acts through the cells, and by another distance if the parameter changes its motion or the start of a stage.
+        parameters_.back().moves_nodes_only =
+            std::ranges::all_of(
+                base.input().motions,
+                [&](const model::Motion& motion) { return model::moves_obstacle(base.input(), motion); }) &&
+            std::ranges::all_of(variations[i],
+                                [&](const model::Case& side) { return side.materials == base.input().materials; });
         parameters_.back().margin =
             margin_by_change * std::max(of.value - of.lower, of.higher - of.value) / std::abs(of.value);
         parameters_.back().varied[1] = {.change = of.higher - of.value, .input = &variations[i][1]};
@@ -204,6 +209,7 @@ std::vector<Sensitivities::Adjoint> Sensitivities::adjoints_at(Newton& newton, c
         all = add(value.by_pressures, value.by_load_factor);
     }
     if (!all) return {};
+    if (std::ranges::none_of(parameters_, &Parameter::moves_nodes_only)) return adjoints;
     std::vector<Vec> psis;
     for (const Adjoint& adjoint : adjoints) psis.push_back(adjoint.of.psi);
     auto gradients = shape_gradient_.evaluate(point.state.x, point.levels, psis);
@@ -293,7 +299,7 @@ void Sensitivities::evaluate(Corrector& corrector, const PathState& path, const 
         Side lower = is_central && parameter.varied[0].change < 0 ? parameter.side(0, path, point, base_) : base;
         Side higher = to_higher ? parameter.side(1, path, point, base_) : base;
         const double change = higher.change - lower.change;
-        const Cells cells = adjoints.empty() || !parameter.keeps_materials ? Cells::yes : Cells::no;
+        const Cells cells = adjoints.empty() || !parameter.moves_nodes_only ? Cells::yes : Cells::no;
         const End before = end_at(lower, cells), after = end_at(higher, cells);
         if (!adjoints.empty()) {
             const auto values = [&](const Side& side) {

@@ -7,10 +7,10 @@
 #include <set>
 #include <string>
 #include <system_error>
-#include <thread>
 
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "math/threads.hpp"
 #include "view/numbered_files.hpp"
 
 namespace soft::view {
@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 /// Draws the frames side by side, and takes them one after the other.
 void draw_side_by_side(std::size_t count, const std::function<core::Bytes(std::size_t)>& draw,
                        const std::function<void(const core::Bytes&)>& take, const Progress& progress) {
-    const std::size_t at_once = std::max(1U, std::thread::hardware_concurrency());
+    constexpr int most = 8;  // 40 MB each
+    const auto at_once = static_cast<std::size_t>(std::clamp(thread_count(0), 1, most));
     std::deque<std::future<core::Bytes>> frames;
     for (std::size_t k = 0, next = 0; k < count; ++k) {
         for (; next < std::min(count, k + at_once); ++next)
@@ -37,15 +38,17 @@ void draw_side_by_side(std::size_t count, const std::function<core::Bytes(std::s
 std::size_t draw_frames(const Body& body, const PictureStyle& style, std::span<const Shot> shots,
                         const fs::path& folder, const Progress& progress) {
     const Framing frame = framing(body, style, shots);
-    draw_side_by_side(
-        shots.size(),
-        [&](std::size_t k) {
-            draw_picture(body, style, frame, shots[k], folder / numbered_name(frame_numbering, k));
-            return core::Bytes{};
-        },
-        [](const core::Bytes&) {}, progress);
     std::set<std::size_t> drawn;
-    for (std::size_t k = 0; k < shots.size(); ++k) drawn.insert(k);
+    const auto write = [&](const core::Bytes& picture) {
+        const std::size_t k = drawn.size();
+        core::AtomicFile file(folder / numbered_name(frame_numbering, k));
+        static_cast<void>(file.write(picture));
+        file.commit();
+        drawn.insert(k);
+    };
+    draw_side_by_side(
+        shots.size(), [&](std::size_t k) { return picture_png(body, style, frame, shots[k], folder.string()); }, write,
+        progress);
     return remove_stale_files(folder, frame_numbering, drawn);
 }
 

@@ -119,6 +119,14 @@ TEST(Search, ContinuesInASmallerBoxAfterATrialThatFails) {
     EXPECT_LT(found.violation, 1e-9);
 }
 
+TEST(Search, MinimizesUpToWhereTrialsFail) {
+    const Goal goal = goal_of({variable("x", 3, 40)}, {}, true);
+    const auto fails_beyond_10 = [](const std::vector<double>& v) {
+        return v[0] > 10 ? Trial{"beyond 10", {}, {}, true} : Trial{"", {}, {50 - v[0], {-1}}, true};
+    };
+    EXPECT_GT(search(goal, {7}, {1}, fails_beyond_10, silent).values[0], 9.5);
+}
+
 TEST(Search, WithoutAnySuccessNamesTheFirstFailure) {
     const Goal goal = goal_of({variable("x", 0, 1)}, {condition(equal, 4)}, false);
     try {
