@@ -6,15 +6,15 @@
 # every DESIGN [OPTION...]: at the last row. The derivative of the load at a fixed output; the runs may end at a load or at an output, so the
 # output of the differences moves along the slope of the row, -d_load / d_output.
 every() {
-    local design="mesh-gen -q designs/$1.yaml --set solver.residual_tolerance=1e-11 ${*:2}" step key value unit d_load d_output sides side
+    local design="mesh-gen -q designs/$1.yaml --set solver.residual_tolerance=1e-11 ${*:2}" step load output key value unit d_load d_output sides side
     runs "$design --sensitivity all | solve -q | postprocess -q --sensitivity -o table.csv"
-    step=$(tail -n 1 table.csv | cut -d, -f1)
+    step=$(tail -n 1 table.csv | cut -d, -f1) load=$(head -n 1 table.csv | cut -d, -f2) output=$(head -n 1 table.csv | cut -d, -f3)
     while IFS=, read -r key value unit d_load d_output; do
         if [ -z "$d_output" ]; then continue; fi
         sides=
         for side in 1.0002 0.9998; do
             runs "$design --set '$key=$(awk -v v="$value" -v s="$side" 'BEGIN { printf "%.15g", v * s }') $unit' | solve -q | postprocess -q -o side.csv"
-            sides+=" $(tail -n 1 side.csv | cut -d, -f2,3)"
+            sides+=" $(column "$load" side.csv | tail -n 1),$(column "$output" side.csv | tail -n 1)"
         done
         claim "$1: $key: $sides $d_load $d_output" awk -v sides="$sides" -v v="$value" -v dl="$d_load" -v du="$d_output" 'BEGIN {
             split(sides, s, /[ ,]+/); first = s[1] == "" ? 2 : 1
@@ -38,7 +38,7 @@ every tube --set "'loads.cavity={mass: 20 mg}'" --set path.until={}
 
 # All constants of all laws, those of fibres included; the stress of kraken has no energy, and linear-elastic no finite strain.
 only=material
-law() { every rod --set model=quarter --set mesh.size=5mm --set loads.end.pressure=-100kPa --set "'material={law: $1}'" "${@:2}"; }
+law() { every rod --set mesh.size=10mm --set loads.end.pressure=-100kPa --set "'material={law: $1}'" "${@:2}"; }
 law 'saint-venant-kirchhoff, mu: 0.2 MPa, kappa: 2 MPa'
 law 'neo-hookean, mu: 0.2 MPa, kappa: 4 MPa'
 law 'neo-hookean-compressible, mu: 0.2 MPa, kappa: 4 MPa'
