@@ -43,8 +43,8 @@ MeshedShape make_shape_with_cells_of(const design::Design& varied, const design:
     if (has_same_cells(made.mesh, mesh)) return made;
     const auto counts = meshing::record_counts([&] { static_cast<void>(make_shape(base)); });
     MeshedShape repeated;
-    const bool all = meshing::repeat_counts(counts, [&] { repeated = make_shape(varied); });
-    return all ? std::move(repeated) : std::move(made);
+    const bool is_repeated = meshing::repeat_counts(counts, [&] { repeated = make_shape(varied); });
+    return is_repeated ? std::move(repeated) : std::move(made);
 }
 
 /// The case with the value, and the value as read. Throws Error (bad_input) where the design or the generator refuses it.
