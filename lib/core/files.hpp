@@ -40,7 +40,7 @@ enum class WriteStatus { complete, reader_closed };
 
 /// Writes a file atomically: a reader sees either the old file or the complete new one. The data go to an unnamed file if the file
 /// system supports that (O_TMPFILE), and commit() gives it the target name. Without commit() nothing remains, even after SIGKILL; within
-/// commit(), between two system calls, SIGKILL leaves the complete file under a temporary name.
+/// commit() of a file that replaces another one, between two system calls, SIGKILL leaves it under a temporary name.
 /// On other file systems the data go to a temporary file in the target's folder, which remains after SIGKILL.
 /// Symbolic links are followed and kept, even if their target does not exist yet. A target that is not a regular file
 /// (/dev/null, a named pipe) is written directly.

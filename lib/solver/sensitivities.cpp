@@ -108,6 +108,7 @@ struct Sensitivities::Parameter {
     [[nodiscard]] Side side(std::size_t which, const PathState& path, const PathPoint& point, const fem::System& base) {
         Varied& at = varied[which];
         if (!at.system || (at.without_contact && point.touches)) {
+            at.system.reset();  // it refers to the case
             at.without_contact.reset();
             if (!point.touches && at.input->obstacles.empty() && base.internal().is_empty()) {
                 at.without_contact = *at.input;
@@ -140,6 +141,9 @@ Sensitivities::Sensitivities(const fem::System& base, std::span<const std::array
                         std::ranges::none_of(base.input().outputs, [](const model::Output& output) {
                             return model::is_reaction(output.measure) && output.obstacle.empty();
                         });
+    // A face that is moved acts through the cells, and by another distance if a parameter changes its motion or the start of a stage.
+    const bool moves_a_face = !std::ranges::all_of(
+        base.input().motions, [&](const model::Motion& motion) { return model::moves_obstacle(base.input(), motion); });
     // Where displacements alone carry a large bulk modulus, its parts of the derivative nearly cancel, and errors of second order do not.
     const bool is_stiff = base.input().formulation != model::Formulation::mixed;
     for (std::size_t i = 0; i < variations.size(); ++i) {
@@ -147,13 +151,10 @@ Sensitivities::Sensitivities(const fem::System& base, std::span<const std::array
         parameters_.emplace_back();
         parameters_.back().varied[0] = {.change = of.lower - of.value, .input = &variations[i][0]};
         parameters_.back().is_rough = is_stiff || of.higher - of.value > small_change * std::abs(of.value);
-        // A face that is moved acts through the cells, and by another distance if the parameter changes its motion or the start of a stage.
         parameters_.back().moves_nodes_only =
-            std::ranges::all_of(
-                base.input().motions,
-                [&](const model::Motion& motion) { return model::moves_obstacle(base.input(), motion); }) &&
-            std::ranges::all_of(variations[i],
-                                [&](const model::Case& side) { return side.materials == base.input().materials; });
+            !moves_a_face && std::ranges::all_of(variations[i], [&](const model::Case& side) {
+                return side.materials == base.input().materials;
+            });
         parameters_.back().margin =
             margin_by_change * std::max(of.value - of.lower, of.higher - of.value) / std::abs(of.value);
         parameters_.back().varied[1] = {.change = of.higher - of.value, .input = &variations[i][1]};
