@@ -171,8 +171,7 @@ NormalCone normals(const Patch& facet) {
 ContactSurface::ContactSurface(const model::Case& model, std::span<const double> modulus_Pa)
     : dimension_(static_cast<std::size_t>(model.mesh.dimension)),
       is_revolved_(model.kinematics == model::Kinematics::axisymmetric) {
-    const bool self = model.contact.self && model.path.contact == model::Contact::solve;
-    if (!self && model.obstacles.empty()) return;  // nothing can touch
+    if (!has_self_contact(model) && model.obstacles.empty()) return;  // nothing can touch
     const double pressure_Pa = largest_pressure_Pa(model);
     for (const mesh::Facet& facet : surface::free_facets(model)) {
         Entry entry;

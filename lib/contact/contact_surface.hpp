@@ -30,6 +30,11 @@ inline constexpr double overlap_share_of_size = 0.2;
 /// the sides of a wall, or of one cell, is rubber.
 enum class Adjacency { apart, neighbours, sides_of_a_groove, sides_of_a_wall };
 
+/// Whether facets of the actuator act on each other.
+[[nodiscard]] inline bool has_self_contact(const model::Case& model) {
+    return model.contact.self && model.path.contact == model::Contact::solve;
+}
+
 class ContactSurface {
 public:
     ContactSurface(const model::Case& model, std::span<const double> modulus_Pa);

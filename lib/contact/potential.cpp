@@ -25,7 +25,7 @@ class Potential::Parts {
 public:
     Parts(const model::Case& model, std::span<const double> modulus_Pa)
         : surface(model, modulus_Pa),
-          self(model.contact.self && model.path.contact == model::Contact::solve),
+          self(has_self_contact(model)),
           candidates(surface, self),
           separations(surface.entries().size()),
           obstacles(model.obstacles.size()),
