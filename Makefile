@@ -70,4 +70,4 @@ tidy: setup
 	@scripts/tidy
 
 clean:
-	@rm -rf build build-asan results
+	@rm -rf build build-clang results

@@ -5,8 +5,7 @@ target_compile_options(soft_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -W
                                             -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual)
 # math/lanes.hpp passes vectors to functions that are always inlined, so that the calling convention does not matter.
 target_compile_options(soft_flags INTERFACE -Wno-psabi)
-# In a unity build helpers of one source may shadow names of another source of the same module. .ci/run compiles each source
-# separately with clang and keeps both warnings.
+# In a unity build helpers of one source may shadow names of another source of the same module.
 if(CMAKE_UNITY_BUILD)
   target_compile_options(soft_flags INTERFACE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endif()

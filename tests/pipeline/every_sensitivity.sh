@@ -6,16 +6,25 @@
 # every DESIGN [OPTION...]: at the last row. The derivative of the load at a fixed output; the runs may end at a load, at an output or at an
 # amount of gas, so the differences move along the slope of the curve, -d_load / d_output of the number that matters most.
 every() {
-    local design="mesh-gen -q designs/$1.yaml --set solver.residual_tolerance=1e-11 ${*:2}" step load output key value unit d_load d_output slope sides side
+    local design="mesh-gen -q designs/$1.yaml --set solver.residual_tolerance=1e-11 ${*:2}" step load output key value unit d_load d_output slope sides side n=0
     runs "$design --sensitivity all | solve -q | postprocess -q --sensitivity -o table.csv"
     step=$(tail -n 1 table.csv | cut -d, -f1) load=$(head -n 1 table.csv | cut -d, -f2) output=$(head -n 1 table.csv | cut -d, -f3)
     slope=$(grep "^$step," table.csv | awk -F, '$10 * $10 > most { most = $10 * $10; slope = -$7 / $8 } END { print +slope }')
     claim "$1 has derivatives" [ -n "$load" ]
+    grep "^$step," table.csv | cut -d, -f4-8 | grep "^${only:-}.*,.*,.*,.*,." >numbers.csv
     while IFS=, read -r key value unit d_load d_output; do
-        if [ -z "$d_output" ]; then continue; fi
-        sides=
+        n=$((n + 1))
         for side in 1.0002 0.9998; do
-            runs "$design --set '$key=$(awk -v v="$value" -v s="$side" 'BEGIN { printf "%.15g", v * s }') $unit' | solve -q | postprocess -q -o side.csv"
+            runs "$design --set '$key=$(awk -v v="$value" -v s="$side" 'BEGIN { printf "%.15g", v * s }') $unit' -o $n-$side.h5"
+            echo "$n-$side.h5 -q -o $n-$side-result.h5"
+        done
+    done <numbers.csv >lines
+    runs 'solve --batch <lines'
+    n=0
+    while IFS=, read -r key value unit d_load d_output; do
+        sides='' n=$((n + 1))
+        for side in 1.0002 0.9998; do
+            runs "postprocess -q $n-$side-result.h5 -o side.csv"
             sides+=" $(column "$load" side.csv | tail -n 1),$(column "$output" side.csv | tail -n 1)"
         done
         claim "$1: $key: $sides $d_load $d_output" awk -v sides="$sides" -v v="$value" -v dl="$d_load" -v slope="$slope" 'BEGIN {
@@ -26,7 +35,7 @@ every() {
             size = sqrt(dl * v * dl * v > along * along ? dl * v * dl * v : along * along)   # of a load both are large and their difference 0
             wanted = 1e-4 * (size + 1e-3 * sqrt(s[first] * s[first]))
             exit !(off * off <= wanted * wanted) }'
-    done < <(grep "^$step," table.csv | cut -d, -f4-8 | grep "^${only:-}")
+    done <numbers.csv
 }
 every tube
 every fiber-tube --set mesh.quality=draft
