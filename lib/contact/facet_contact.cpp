@@ -142,15 +142,16 @@ void FacetContact::add_features(std::size_t q, const Point& x) {
         const auto& other = at_.surface.entries()[j];
         const Patch& patch = at_.patches[j];
         const double h = entry_.h_m[q], range = std::max(h, overlap_share_of_size * entry_.size_m);
-        if (const double beyond = at_least(patch, x); beyond > range) {
-            clearances_m_[k] = std::min(clearances_m_[k], beyond - range);
+        const bool in_front = at_.rests && height_above(patch, x) > h;
+        if (const double beyond = at_least(patch, x); in_front || beyond > range) {
+            clearances_m_[k] = std::min(clearances_m_[k], beyond - (in_front ? h : range));
             continue;
         }
         const ClosestPoint closest = closest_point(patch, x);
         if (is_at(q, other)) continue;
         const auto y = patch(closest.xi);
         const bool behind = dot(difference(x, y.x), cross(y.t1, y.t2)) < 0;
-        clearances_m_[k] = std::min(clearances_m_[k], closest.distance_m - range);
+        clearances_m_[k] = std::min(clearances_m_[k], closest.distance_m - (at_.rests && !behind ? h : range));
         if (closest.distance_m > range) continue;
         touches = touches || closest.distance_m < h || behind;
         facets[other.obstacle].push_back(j);

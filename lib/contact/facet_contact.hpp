@@ -51,6 +51,8 @@ struct ContactState {
     std::span<const Vector3> shifts;
     Wanted wanted;
     Friction& friction;
+    /// Leaves out facets that no point touches first. In contact they count, as the closest one decides what a point has passed through.
+    bool rests = false;
 };
 
 class FacetContact {

@@ -45,5 +45,9 @@ struct Patch {
     for (std::size_t d = 0; d < 3; ++d) beyond[d] = std::fmax(0, std::fmax(a.low[d] - b.high[d], b.low[d] - a.high[d]));
     return norm(beyond);
 }
+/// Height above the box along the normal in the middle; where it is positive, the point is in front of the facet.
+[[nodiscard]] inline double height_above(const Patch& patch, const mesh::Point& x) {
+    return dot(patch.axes[2], x) - patch.oriented_high[2];
+}
 
 }  // namespace soft::contact

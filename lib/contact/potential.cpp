@@ -28,6 +28,7 @@ public:
           self(has_self_contact(model)),
           candidates(surface, self),
           separations(surface.entries().size()),
+          separations_at_rest(surface.entries().size()),
           obstacles(model.obstacles.size()),
           friction(surface, coefficients(model, self)) {
         for (std::size_t k = 0; k < obstacles; ++k)
@@ -58,14 +59,15 @@ public:
     /// Contact of one facet, whose near facets are among `others`. Returns the pressures of its sample points, none if nothing is near.
     std::vector<double> add(const ContactState& at, std::size_t i, std::span<const std::size_t> others,
                             Summary& summary, const std::function<void(const Block&)>& to) {
+        Separations& apart = at.rests ? separations_at_rest : separations;
         std::vector<std::size_t> near;
         for (const std::size_t j : others)
             if (at_least(at.patches[i], at.patches[j]) <= surface.entries()[i].range_m &&
-                separations.clearance_m(i, j, at.patches) <= 0)
+                apart.clearance_m(i, j, at.patches) <= 0)
                 near.push_back(j);
         FacetContact facet(at, i, near, summary);
         facet.add(to);
-        for (std::size_t k = 0; k < near.size(); ++k) separations.set(i, near[k], facet.clearances_m()[k], at.patches);
+        for (std::size_t k = 0; k < near.size(); ++k) apart.set(i, near[k], facet.clearances_m()[k], at.patches);
         return facet.pressures_Pa();
     }
 
@@ -75,7 +77,7 @@ public:
     ContactSurface surface;
     bool self;
     Candidates candidates;
-    Separations separations;
+    Separations separations, separations_at_rest;
     std::size_t obstacles;
     std::vector<SmoothObstacle> smooth;
     Friction friction;
@@ -153,11 +155,25 @@ std::span<const mesh::Index> Potential::nodes() const { return parts_->surface.n
 
 Summary Potential::evaluate(std::span<const Point> positions, std::span<const Vector3> shifts, Wanted wanted,
                             const Take& take, const std::function<void(const Block&)>& add) {
+    return evaluate(positions, shifts, wanted, take, add, false);
+}
+
+bool Potential::touches(std::span<const Point> positions, std::span<const Vector3> shifts, const Take& take) {
+    const auto touches_if = [&](bool rests) {
+        return evaluate(
+                   positions, shifts, Wanted::gradient, take, [](const Block&) {}, rests)
+            .touches();
+    };
+    return touches_if(true) && touches_if(false);
+}
+
+Summary Potential::evaluate(std::span<const Point> positions, std::span<const Vector3> shifts, Wanted wanted,
+                            const Take& take, const std::function<void(const Block&)>& add, bool rests) {
     Summary summary(parts_->obstacles);
     if (is_empty()) return summary;
     const auto patches = parts_->surface.patches(positions, shifts);
     const auto others = parts_->candidates.between(patches, patches);
-    const ContactState at{parts_->surface, patches, parts_->smooth, shifts, wanted, parts_->friction};
+    const ContactState at{parts_->surface, patches, parts_->smooth, shifts, wanted, parts_->friction, rests};
     for (std::size_t i = 0; i < parts_->surface.free_count(); ++i)
         if (take(parts_->surface.entries()[i].facet.cell))
             static_cast<void>(parts_->add(at, i, others[i], summary, add));

@@ -75,6 +75,9 @@ public:
     /// are summed. Blocks come in a fixed order.
     Summary evaluate(std::span<const mesh::Point> positions, std::span<const Vector3> shifts, Wanted wanted,
                      const Take& take, const std::function<void(const Block&)>& add);
+    /// evaluate(...).touches(), in a fraction of the time while nothing touches.
+    [[nodiscard]] bool touches(std::span<const mesh::Point> positions, std::span<const Vector3> shifts,
+                               const Take& take);
 
     /// Contact pressure at the mesh points, 0 where nothing touches: means over the sample points of a facet, weighted with the square of
     /// the node's shape function, and of them the largest of the facets at the node (at an edge only one of them may touch).
@@ -101,6 +104,8 @@ public:
 
 private:
     class Parts;
+    Summary evaluate(std::span<const mesh::Point> positions, std::span<const Vector3> shifts, Wanted wanted,
+                     const Take& take, const std::function<void(const Block&)>& add, bool rests);
     std::unique_ptr<Parts> parts_;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 /// Pairs of facets that stay apart: a pair whose distance has been computed needs no other computation until it may have moved by as
-/// much as this distance. Motions are relative to the centre of the first facet, so that a pair that moves as a whole stays apart.
+/// much as this distance. Motions are seen from the first facet (its centre and axes), so that a pair that moves as a whole stays apart.
 /// Private to the module. Tested by contact/potential_test.
 #include <cstdint>
 #include <span>
@@ -23,7 +23,7 @@ public:
 private:
     struct Pair {
         double clearance_m;
-        std::vector<Vector3> nodes;  // of both facets, relative to the centre of i
+        std::vector<Vector3> nodes;  // of both facets, seen from i
     };
     [[nodiscard]] std::uint64_t key(std::size_t i, std::size_t j) const { return i * facets_ + j; }
 

@@ -95,10 +95,12 @@ contact::Summary Contact::measure(Vec x) {
 }
 
 bool Contact::touches(Vec x) {
-    const bool rests = std::exchange(rests_, false);
-    const bool touches = measure(x).touches();
-    rests_ = rests;
-    return touches;
+    if (!rests_) return measure(x).touches();
+    state_.read(x);
+    if (!potential_.is_empty()) read_positions();
+    int touches = potential_.touches(positions_, shifts_, [this](mesh::Index cell) { return is_own(cell); }) ? 1 : 0;
+    MPI_Allreduce(MPI_IN_PLACE, &touches, 1, MPI_INT, MPI_MAX, fe_.comm);
+    return touches == 1;
 }
 
 void Contact::start_friction(Vec x) {

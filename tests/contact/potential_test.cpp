@@ -303,6 +303,7 @@ TEST_P(PotentialOf, EnergyDoesNotDependOnEarlierStates) {
         Potential fresh(model, std::array{modulus_Pa});
         const auto at = derivatives(potential, state.positions, {}), again = derivatives(fresh, state.positions, {});
         EXPECT_EQ(at.summary.energy_J, again.summary.energy_J) << gap;
+        EXPECT_EQ(potential.touches(state.positions, {}, [](mesh::Index) { return true; }), again.summary.touches());
         touching += again.summary.touches() ? 1 : 0;
     }
     EXPECT_GT(touching, 3);
