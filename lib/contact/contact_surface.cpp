@@ -199,6 +199,7 @@ ContactSurface::ContactSurface(const model::Case& model, std::span<const double>
                 modulus_Pa[static_cast<std::size_t>(model.mesh.cell_regions[static_cast<std::size_t>(facet.cell)])],
                 pressure_Pa);
         nodes_.insert(nodes_.end(), entry.nodes.begin(), entry.nodes.end());
+        nodes_.insert(nodes_.end(), entry.cell_corners.begin(), entry.cell_corners.end());
         entries_.push_back(std::move(entry));
     }
     std::ranges::sort(nodes_);
@@ -312,7 +313,10 @@ std::vector<Patch> ContactSurface::patches(std::span<const Point> positions, std
             map.nodes[a] = positions[static_cast<std::size_t>(entry.nodes[a])];
         if (entry.obstacle >= 0)
             for (Point& node : map.nodes) node = along(node, 1, shifts[static_cast<std::size_t>(entry.obstacle)]);
-        patches.push_back(make_patch(map));
+        Patch& patch = patches.emplace_back(make_patch(map));
+        const double share = 1.0 / static_cast<double>(entry.cell_corners.size());
+        for (const Index corner : entry.cell_corners)
+            patch.cell_centre = along(patch.cell_centre, share, positions[static_cast<std::size_t>(corner)]);
     }
     return patches;
 }

@@ -62,7 +62,9 @@ bool has_passed_through(const Approach& from, const ClosestPoint& closest, bool 
     const double stretch = std::max(area_stretch(entry.undeformed, now, entry.rule->xi[q], is_revolved),
                                     area_stretch(undeformed, patch, closest.xi, is_revolved));
     const double thinnest_m = least_compression * before.distance_m / std::max(1.0, stretch);
-    return faces && ((height > -off_m && !through_rubber) || closest.distance_m < thinnest_m);
+    const auto now_at = patch(closest.xi);
+    const bool leads_through = dot(difference(now.cell_centre, now_at.x), cross(now_at.t1, now_at.t2)) > 0;
+    return faces && ((height > -off_m && !through_rubber && leads_through) || closest.distance_m < thinnest_m);
 }
 
 FacetContact::FacetContact(const ContactState& at, std::size_t facet, std::span<const std::size_t> others,

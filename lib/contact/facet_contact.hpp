@@ -1,5 +1,5 @@
 #pragma once
-/// Contact of one facet of the actuator with other facets and obstacles. Private to the module. Tested by contact/potential_test.
+/// Contact of one facet of the actuator with other facets and obstacles. Private to the module. Tested by contact/potential_test and ridge_test.
 #include <functional>
 #include <map>
 #include <optional>
@@ -24,8 +24,8 @@ struct Approach {
 
 /// Whether the point, which is behind its closest point on the facet, has passed through it. In the undeformed state it was in front of it, and
 /// faced it through air then or does now (two parts of a concave surface do not, and a fold puts one behind the other); or in its plane without
-/// rubber between them, and now faces it; or behind it, and now faces it and is closer than rubber between them can be, which becomes thinner as
-/// the area of its sides grows.
+/// rubber between them, and now faces it, with its own cell in front of the facet (beside a ridge the cell is behind it); or behind it, and now
+/// faces it and is closer than rubber between them can be, which becomes thinner as the area of its sides grows.
 [[nodiscard]] bool has_passed_through(const Approach& from, const ClosestPoint& closest, bool faces);
 
 /// Deformed over undeformed area of a facet at xi.

@@ -23,6 +23,7 @@ struct Patch {
     mesh::Point low{}, high{};      ///< of a box that contains it
     std::array<Vector3, 3> axes{};  ///< of another such box, along the tangents and normal in the middle: unit vectors
     mesh::Point oriented_low{}, oriented_high{};  ///< along these axes
+    mesh::Point cell_centre{};                    ///< mean of the corners of its cell
 
     [[nodiscard]] bool is_line() const { return mesh::dimension(type) == 1; }
     [[nodiscard]] surface::FacetMap::Value operator()(const surface::FacetPoint& xi) const;

@@ -68,7 +68,7 @@ public:
     [[nodiscard]] double distance_m() const;  ///< the largest h; 0 where nothing can touch
     /// Steps in which the distance of all pairs changes by less than this need no limit.
     [[nodiscard]] double harmless_step_m() const;
-    /// Nodes of the free facets, ascending: the positions that evaluate() reads.
+    /// Nodes of the free facets and corners of their cells, ascending: the positions that evaluate() reads.
     [[nodiscard]] std::span<const mesh::Index> nodes() const;
 
     /// `positions`: one per mesh point; `shifts`: displacement of each obstacle; `take(cell)`: whether the points of the facet of a cell
