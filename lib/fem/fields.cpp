@@ -147,13 +147,13 @@ std::optional<double> Fields::error_in_time(Vec x) {
     return state_.internal().relative_error(sums[0], sums[1]);
 }
 
-mesh::Index Fields::inverted_at_a_node(Vec x) const {
+mesh::Index Fields::inverted_at_a_node(Vec x, double below) const {
     const auto displacement_m = gather(x).displacement_m;
     mesh::Index found = -1;
     if (fe_.rank == 0) {
         mesh::Mesh mesh = fe_.input.mesh;
         for (std::size_t i = 0; i < displacement_m.size(); ++i) mesh.points[i / 3][i % 3] += displacement_m[i];
-        double worst = 0;
+        double worst = below;
         for (mesh::Index cell = 0; cell < mesh.cell_count(); ++cell) {
             const double value = mesh::scaled_jacobian(mesh, cell, mesh::node_shapes(mesh.cell_type(cell))).value;
             if (value >= worst) continue;

@@ -39,8 +39,9 @@ public:
     /// Estimated error of a step in time (InternalVariables::relative_error).
     [[nodiscard]] std::optional<double> error_in_time(Vec x);
 
-    /// The cell that is inverted most at one of its nodes, where no quadrature point is; -1 if none.
-    [[nodiscard]] mesh::Index inverted_at_a_node(Vec x) const;
+    /// The deformed cell with the smallest scaled Jacobian at a node (mesh/quality.hpp), where no quadrature point is, of those below a
+    /// bound; -1 if none.
+    [[nodiscard]] mesh::Index inverted_at_a_node(Vec x, double below) const;
 
     /// On rank 0; empty elsewhere.
     [[nodiscard]] NodalFields gather(Vec x) const;

@@ -21,7 +21,7 @@ constexpr double out_of_reach = 1e-4, steady_growth = 1e-3;
 constexpr double far_beyond = 10.0, min_power = 0.5, reachable = 0.5, growth_for_a_power = 0.02;
 /// Where no step converges beyond path.stretch_limit: growth of the load per relative growth of the unknowns, over the remaining load.
 constexpr double hardly_rising = 1e-2;
-/// det F below which a cell counts as nearly inverted.
+/// det F at a quadrature point, or scaled Jacobian at a node, below which a cell counts as nearly inverted.
 constexpr double nearly_inverted = 0.05;
 
 constexpr const char* remedy = "; use smaller cells there (mesh.size)";
@@ -78,12 +78,13 @@ std::string return_text(const PathState& path, const std::string& here) {
            ", " + here;
 }
 
-/// The last row, in which a cell is inverted at a node although not at its quadrature points.
+/// The last row, in which a cell is inverted at a node, or nearly, although not at its quadrature points: what it does from there on is
+/// not that of the part.
 std::optional<Stop> inverted_stop(const PathState& path, fem::System& system) {
     system.prescribe(path.last->levels);
-    const mesh::Index cell = system.fields().inverted_at_a_node(path.last->state.x);
+    const mesh::Index cell = system.fields().inverted_at_a_node(path.last->state.x, nearly_inverted);
     if (cell < 0) return std::nullopt;
-    return Stop{StopReason::inverted_element, "an element is inverted at a node " +
+    return Stop{StopReason::inverted_element, "an element is inverted or nearly inverted at a node " +
                                                   location_text(cell, system.input()) + " at " +
                                                   state_text(*path.last, system.input()) + remedy};
 }
@@ -113,19 +114,22 @@ std::optional<Stop> stop_before_step(const PathState& path, fem::System& system)
         return unresolved(path.refused->crossing, state_text(*path.last, input));
     const std::string where = ": the last " + std::to_string(stalled_rows) +
                               " steps cover less than 1 % of its length, at " + state_text(*path.last, input);
+    if (auto inverted = inverted_stop(path, system)) return inverted;
     if (is_past_limit_point(path))
         return Stop{
             StopReason::limit_point,
             "the requested load is not reached: the path is past the limit point and stalls" + where + end_earlier};
-    if (auto inverted = inverted_stop(path, system)) return inverted;
     return Stop{StopReason::diverged, "the path stalls" + where + "; try another mesh.size"};
 }
 
-std::optional<Stop> stop_at_row(const PathState& path, const model::Case& input) {
+std::optional<Stop> stop_at_row(const PathState& path, fem::System& system) {
+    const model::Case& input = system.input();
     if (stage_of(input, path).time_s) return std::nullopt;  // time goes on, also where nothing moves
     const std::string here = state_text(*path.last, input);
-    if (std::string returned = return_text(path, here); !returned.empty())
+    if (std::string returned = return_text(path, here); !returned.empty()) {
+        if (auto inverted = inverted_stop(path, system)) return inverted;
         return Stop{StopReason::limit_point, std::move(returned)};
+    }
     if (is_out_of_reach(path, input.path.stretch_limit)) return Stop{StopReason::limit_point, asymptote_text(here)};
     if (is_past_limit_point(path) && path.stretch_p99 > input.path.stretch_limit)
         return Stop{StopReason::limit_point,

@@ -21,7 +21,7 @@ inline constexpr double stalled_length = 0.01;
 [[nodiscard]] Stop unresolved(const ContactEvent& crossing, const std::string& state);
 
 /// At a new row: the path has returned to states it has passed, or its goal is out of reach.
-[[nodiscard]] std::optional<Stop> stop_at_row(const PathState& path, const model::Case& input);
+[[nodiscard]] std::optional<Stop> stop_at_row(const PathState& path, fem::System& system);
 
 /// Whether a cell of the last attempt is nearly inverted: the material would have failed, or the cells are too large.
 [[nodiscard]] bool is_nearly_inverted(const NewtonResult& attempt);
