@@ -78,9 +78,13 @@ std::string return_text(const PathState& path, const std::string& here) {
            ", " + here;
 }
 
-/// The last row, in which a cell is inverted at a node, or nearly, although not at its quadrature points: what it does from there on is
-/// not that of the part.
+/// The last row, in which a cell is nearly inverted, or inverted at a node although not at its quadrature points: what it does from there on
+/// is not that of the part.
 std::optional<Stop> inverted_stop(const PathState& path, fem::System& system) {
+    if (path.min_jacobian < nearly_inverted)
+        return Stop{StopReason::inverted_element,
+                    "an element is nearly inverted (det F = " + short_text(path.min_jacobian) + ") at " +
+                        state_text(*path.last, system.input()) + remedy};
     system.prescribe(path.last->levels);
     const mesh::Index cell = system.fields().inverted_at_a_node(path.last->state.x, nearly_inverted);
     if (cell < 0) return std::nullopt;
