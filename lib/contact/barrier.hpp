@@ -3,7 +3,8 @@
 ///   b(d) = -h (d/h - 1)^2 ln(d/h) for continued h < d < h, 0 beyond, with two continuous derivatives,
 /// and its Taylor polynomial of second degree about continued h below. Newton's method passes through states in which walls overlap; there
 /// the polynomial acts as a linear spring, to which overlap adds  -stiffening d^3 / (6 h^2).  The gap is positive up to a contact pressure of
-/// 12.8 k, and above -h up to 200 k: rubber at large stretch presses with many times its initial modulus.
+/// 12.8 k, and above -h up to 1550 k. Pressures on the undeformed area are that large where walls of large stretch press with many times
+/// their initial modulus on an area that has grown 50 to 100 times.
 /// Source: Li et al., Incremental Potential Contact, ACM Trans. Graph. 39 (2020), eq. 6; the continuation: derived here.
 /// Tested by contact/distance_test.
 #include <cmath>
@@ -15,7 +16,7 @@ struct Barrier {
 };
 
 inline constexpr double continued = 0.2;
-inline constexpr double stiffening = 300;  ///< about the third derivative where the polynomial begins
+inline constexpr double stiffening = 3000;
 
 /// h > 0
 [[nodiscard]] inline Barrier barrier(double d, double h) {
