@@ -14,7 +14,7 @@ constexpr const char* module_file = "soft_gmsh.so";
 
 /// With RTLD_DEEPBIND symbols are searched in gmsh and its libraries first, not in the program, which takes less time (not supported by
 /// the address sanitizer).
-#if defined(__SANITIZE_ADDRESS__) || !defined(RTLD_DEEPBIND)
+#if defined(SOFT_SANITIZED) || !defined(RTLD_DEEPBIND)
 constexpr int load_flags = RTLD_LAZY | RTLD_LOCAL;
 #else
 constexpr int load_flags = RTLD_LAZY | RTLD_LOCAL | RTLD_DEEPBIND;

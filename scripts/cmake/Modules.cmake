@@ -12,6 +12,9 @@ endif()
 if(SOFT_WERROR)
   target_compile_options(soft_flags INTERFACE -Werror)
 endif()
+if(SOFT_SANITIZE OR SOFT_FUZZ)   # GCC alone has a macro for this
+  target_compile_definitions(soft_flags INTERFACE SOFT_SANITIZED)
+endif()
 if(SOFT_SANITIZE)
   target_compile_options(soft_flags INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer
                                               -fno-sanitize-recover=undefined)

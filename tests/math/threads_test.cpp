@@ -16,7 +16,7 @@ TEST(ThreadCount, IsTheStatedNumberOrThatOfOpenMp) {
     EXPECT_EQ(thread_count(0), omp_get_max_threads());
 }
 
-#ifndef __SANITIZE_ADDRESS__  // reserves terabytes of address space
+#ifndef SOFT_SANITIZED  // reserves terabytes of address space
 TEST(ThreadCount, IsNoLargerThanTheSystemAllows) {
     const auto count_with_little_memory = [] {
         long pages = 0;
