@@ -137,27 +137,30 @@ Verdict confirm_limit_point(const io::Result& result) {
     if (maximum(controlled, tolerance) + 1 < n) return {false, "the path continues after a maximum"};
     const auto rows = static_cast<std::int64_t>(result.steps.size());
     const auto all = distance(result, 0, rows - 1);
-    std::vector<double> values{controlled.back()}, distances;  // backwards
+    std::vector<double> values{controlled.back()}, loads{factors.back()}, distances;  // backwards
     for (std::size_t i = n - 1; i > 0 && distances.size() < 3; --i) {
         const std::int64_t row = rows - static_cast<std::int64_t>(n - i);
         const auto length = distance(result, row - 1, row);
         if (!length || !all) return {false, "no fields are stored"};
         if (*length <= tolerance * *all) continue;  // the same state twice
         values.push_back(controlled[i - 1]);
+        loads.push_back(factors[i - 1]);
         distances.push_back(*length);
     }
     if (distances.size() < 2) return {false, "too few rows"};
-    const double gain = values[0] - values[1], left = 1 - factors.back();
-    if (controlled == factors && left > 0 && std::abs(gain) < max_asymptotic_growth * distances[0] / *all * left)
+    const double gain = loads[0] - loads[1], left = 1 - factors.back();
+    // Under other controls the load is flat at its maximum too, where the path goes on.
+    const bool may_end = controlled == factors || result.steps.back().stretch_p99 > result.model.path.stretch_limit;
+    if (may_end && left > 0 && std::abs(gain) < max_asymptotic_growth * distances[0] / *all * left)
         return {true, "the load has an asymptote: " + text(factors[n - 1]) + " of the full load at the end"};
     // Or its growth decays with a power of the displacements: the integral of this power law is the remaining growth.
-    const double before = (values[1] - values[2]) / distances[1], last = gain / distances[0];
+    const double before = (loads[1] - loads[2]) / distances[1], last = gain / distances[0];
     const double power = std::log(before / last) /
                              std::log((*all - distances[0] / 2) / (*all - distances[0] - distances[1] / 2)) -
                          1,
                  to_come = last * *all / power;
     const bool far = result.steps.back().stretch_p99 > far_beyond * result.model.path.stretch_limit;
-    if (controlled == factors && far && left > 0 && last > 0 && power > min_power && to_come < reachable * left)
+    if (may_end && far && left > 0 && last > 0 && power > min_power && to_come < reachable * left)
         return {true, "the load tends to " + text(factors[n - 1] + to_come) + " of the full load"};
     const double slope = slope_at_the_end(values, distances);
     return {slope <= max_slope_ratio, "slope at the last row " + text(slope) + " of that two rows before"};
