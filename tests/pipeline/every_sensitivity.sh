@@ -9,16 +9,17 @@ every() {
     local design="mesh-gen -q designs/$1.yaml --set solver.residual_tolerance=1e-11 ${*:2}" step load output key value unit d_load d_output slope sides side n=0
     runs "$design --sensitivity all | solve -q | postprocess -q --sensitivity -o table.csv"
     step=$(tail -n 1 table.csv | cut -d, -f1) load=$(head -n 1 table.csv | cut -d, -f2) output=$(head -n 1 table.csv | cut -d, -f3)
-    slope=$(grep "^$step," table.csv | awk -F, '$10 * $10 > most { most = $10 * $10; slope = -$7 / $8 } END { print +slope }')
-    claim "$1 has derivatives" [ -n "$load" ]
+    slope=$(grep "^$step," table.csv | awk -F, '$10 * $10 > most { most = $10 * $10; slope = -$7 / $8 } END { printf "%.17g", slope }')
     grep "^$step," table.csv | cut -d, -f4-8 | grep "^${only:-}.*,.*,.*,.*,." >numbers.csv
+    claim "$1 has derivatives" [ -s numbers.csv ]
+    : >lines
     while IFS=, read -r key value unit d_load d_output; do
         n=$((n + 1))
         for side in 1.0002 0.9998; do
             runs "$design --set '$key=$(awk -v v="$value" -v s="$side" 'BEGIN { printf "%.15g", v * s }') $unit' -o $n-$side.h5"
-            echo "$n-$side.h5 -q -o $n-$side-result.h5"
+            echo "$n-$side.h5 -q -o $n-$side-result.h5" >>lines
         done
-    done <numbers.csv >lines
+    done <numbers.csv
     runs 'solve --batch <lines'
     n=0
     while IFS=, read -r key value unit d_load d_output; do
@@ -29,11 +30,8 @@ every() {
         done
         claim "$1: $key: $sides $d_load $d_output" awk -v sides="$sides" -v v="$value" -v dl="$d_load" -v slope="$slope" 'BEGIN {
             split(sides, s, /[ ,]+/); first = s[1] == "" ? 2 : 1
-            along = slope * (s[first + 1] - s[first + 3]) / 0.0004
-            found = (s[first] - s[first + 2]) / 0.0004 - along
-            off = found - dl * v
-            size = sqrt(dl * v * dl * v > along * along ? dl * v * dl * v : along * along)   # of a load both are large and their difference 0
-            wanted = 1e-4 * (size + 1e-3 * sqrt(s[first] * s[first]))
+            found = (s[first] - s[first + 2] - slope * (s[first + 1] - s[first + 3])) / 0.0004
+            off = found - dl * v; wanted = 1e-4 * ((dl * v < 0 ? -dl * v : dl * v) + 1e-3 * (s[first] < 0 ? -s[first] : s[first]))
             exit !(off * off <= wanted * wanted) }'
     done <numbers.csv
 }
