@@ -1,9 +1,9 @@
 #pragma once
-/// Energy density of a signed gap d below the contact distance h, per stiffness and undeformed area [m]:
+/// Energy density of a signed gap d below the contact distance h, per stiffness and area [m]:
 ///   b(d) = -h (d/h - 1)^2 ln(d/h) for continued h < d < h, 0 beyond, with two continuous derivatives,
 /// and its Taylor polynomial of second degree about continued h below. Newton's method passes through states in which walls overlap; there
 /// the polynomial acts as a linear spring, to which overlap adds  -stiffening d^3 / (6 h^2).  The gap is positive up to a contact pressure of
-/// 12.8 k, and above -h up to 200 k: rubber at large stretch presses with many times its initial modulus.
+/// 12.8 k, and above -h up to 200 k.
 /// Source: Li et al., Incremental Potential Contact, ACM Trans. Graph. 39 (2020), eq. 6; the continuation: derived here.
 /// Tested by contact/distance_test.
 #include <cmath>

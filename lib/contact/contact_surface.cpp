@@ -135,8 +135,10 @@ SampleRule sample_rule(mesh::CellType facet) {
             for (std::size_t i = 0; i < 5; ++i) add_point(rule, {s[i], s[j]}, w[i] * w[j]);
     }
     for (const FacetPoint& xi : rule.xi)
-        for (const mesh::ShapeValue& value : mesh::shape_values(facet, {xi[0], xi[1], 0}))
+        for (const mesh::ShapeValue& value : mesh::shape_values(facet, {xi[0], xi[1], 0})) {
             rule.N.push_back(value.value);
+            rule.dN.push_back({value.gradient[0], shape == mesh::Shape::line ? 0 : value.gradient[1]});
+        }
     return rule;
 }
 

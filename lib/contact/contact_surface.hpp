@@ -19,7 +19,8 @@ namespace soft::contact {
 struct SampleRule {
     std::vector<surface::FacetPoint> xi;
     std::vector<double> weights;
-    std::vector<double> N;  ///< [point][node]
+    std::vector<double> N;                ///< [point][node]
+    std::vector<surface::FacetPoint> dN;  ///< derivatives of the shape functions [point][node]
 };
 [[nodiscard]] SampleRule sample_rule(mesh::CellType facet);
 

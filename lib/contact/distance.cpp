@@ -1,5 +1,8 @@
 #include "contact/distance.hpp"
 
+#include <algorithm>
+#include <limits>
+
 namespace soft::contact {
 
 namespace {
@@ -31,6 +34,30 @@ Distance distance(const model::Cylinder& cylinder, const mesh::Point& x) {
 
 Distance distance(const model::Sphere& sphere, const mesh::Point& x) {
     return radial(difference(x, sphere.center), {}, sphere.radius_m, sphere.side);
+}
+
+/// From the box without its rounding: beside it along one direction, along two, or along all.
+Distance distance(const model::Box& box, const mesh::Point& x) {
+    Vector3 arm{};
+    std::size_t beside = 0, side = 0;
+    double highest_m = -std::numeric_limits<double>::max();
+    for (std::size_t d = 0; d < 3; ++d) {
+        const double low = box.low[d] + box.radius_m, high = box.high[d] - box.radius_m;
+        arm[d] = x[d] - std::clamp(x[d], low, high);
+        if (arm[d] != 0) ++beside;
+        if (const double height_m = std::max(low - x[d], x[d] - high); height_m > highest_m) {
+            highest_m = height_m;
+            side = d;
+        }
+    }
+    if (beside < 2) {
+        Distance flat{highest_m - box.radius_m, {}, {}};
+        flat.gradient[side] = x[side] > 0.5 * (box.low[side] + box.high[side]) ? 1 : -1;
+        return flat;
+    }
+    Vector3 axis{};  // of the edge; none at a corner
+    for (std::size_t d = 0; d < 3 && beside == 2; ++d) axis[d] = arm[d] == 0 ? 1 : 0;
+    return radial(arm, axis, box.radius_m, model::Side::outside);
 }
 
 }  // namespace soft::contact

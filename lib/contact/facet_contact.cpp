@@ -99,8 +99,10 @@ void FacetContact::add(const std::function<void(const Block&)>& to) {
     for (const auto& [key, block] : blocks_) to(block);
 }
 
-double FacetContact::stretch_at(std::size_t q) const {
-    return area_stretch(entry_.undeformed, map_, entry_.rule->xi[q], at_.surface.is_revolved());
+const AreaStretch& FacetContact::stretch_at(std::size_t q) {
+    const auto known = stretches_.find(q);
+    if (known != stretches_.end()) return known->second;
+    return stretches_.emplace(q, area_stretch(entry_, map_, q, at_.surface, at_.wanted)).first->second;
 }
 
 Block& FacetContact::block_of(std::size_t key, int obstacle, std::span<const mesh::Index> others) {
@@ -119,8 +121,8 @@ Block& FacetContact::block_of(std::size_t key, int obstacle, std::span<const mes
 
 void FacetContact::note(std::size_t q, int obstacle, double share, const Barrier& b) {
     const std::size_t k = obstacle >= 0 ? static_cast<std::size_t>(obstacle) : summary_.area_m2.size() - 1;
-    const double pressure = -entry_.stiffness_Pa * b.slope / stretch_at(q);
-    summary_.area_m2[k] += share * entry_.weight_m2[q];
+    const double pressure = -entry_.stiffness_Pa * b.slope;
+    summary_.area_m2[k] += share * entry_.weight_m2[q] * stretch_at(q).value;
     summary_.pressure_Pa[k] = std::max(summary_.pressure_Pa[k], pressure);
     pressures_Pa_[q] = std::max(pressures_Pa_[q], pressure);
     if (summary_.location && pressure <= summary_.max_pressure_Pa) return;
@@ -214,9 +216,10 @@ void FacetContact::add_feature(std::size_t q, const Point& x, const Feature& fea
     }
     if (gap >= reach || reach <= 0) return;
     const Barrier b = barrier(gap, reach);
+    const AreaStretch& stretch = stretch_at(q);
     const double share = itself ? 0.5 : 1.0, d = behind ? -distance : distance,
-                 scale = feature.coefficient * share * entry_.weight_m2[q] * entry_.stiffness_Pa,
-                 by_f = distance > no_gap * h ? scale * b.slope / d : 0;
+                 undeformed = feature.coefficient * share * entry_.weight_m2[q] * entry_.stiffness_Pa,
+                 scale = undeformed * stretch.value, by_f = distance > no_gap * h ? scale * b.slope / d : 0;
     const Vector3 n = distance > 0 ? along({}, 1 / d, r) : along({}, 1 / norm(feature.normal), feature.normal);
     Vector3 g{};
     std::array<Vector3, 3> H{};
@@ -237,6 +240,7 @@ void FacetContact::add_feature(std::size_t q, const Point& x, const Feature& fea
         itself ? block_of(feature.facet, -1, other.nodes)
                : block_of(at_.surface.entries().size() + static_cast<std::size_t>(other.obstacle), other.obstacle, {});
     add_function(block, weights, g, H);
+    add_area_stretch(block, stretch, undeformed * b.value_m, along({}, undeformed * b.slope, n), weights);
     if (by_f != 0 && !block.hessian.empty()) add_sliding(block, weights, y, feature.closest, r, values, by_f);
     if (feature.is_closest) note(q, other.obstacle, share, b);
     if (!at_.friction.is_empty())
@@ -258,7 +262,8 @@ void FacetContact::add_smooth(std::size_t q, const Point& x, const SmoothObstacl
     const std::size_t nodes = entry_.nodes.size();
     std::vector<double> weights(&entry_.rule->N[q * nodes], &entry_.rule->N[q * nodes] + nodes);
     if (!mirror) weights.push_back(-1);
-    const double scale = entry_.weight_m2[q] * entry_.stiffness_Pa;
+    const AreaStretch& stretch = stretch_at(q);
+    const double undeformed = entry_.weight_m2[q] * entry_.stiffness_Pa, scale = undeformed * stretch.value;
     summary_.energy_J += scale * b.value_m;
     Vector3 g{};
     std::array<Vector3, 3> H{};
@@ -268,7 +273,9 @@ void FacetContact::add_smooth(std::size_t q, const Point& x, const SmoothObstacl
             H[k][l] = scale * (b.curvature_1_m * d.gradient[k] * d.gradient[l] + b.slope * d.hessian[k][l]);
     }
     const auto key = smooth_keys + static_cast<std::size_t>(&obstacle - at_.smooth.data());
-    add_function(block_of(key, obstacle.index, {}), weights, g, H);
+    Block& block = block_of(key, obstacle.index, {});
+    add_function(block, weights, g, H);
+    add_area_stretch(block, stretch, undeformed * b.value_m, along({}, undeformed * b.slope, d.gradient), weights);
     note(q, obstacle.index, 1, b);
     if (!at_.friction.is_empty() && !mirror)
         touches_.push_back({.point = q,
@@ -285,17 +292,20 @@ void FacetContact::add_friction(const Friction::Point& point) {
     summary_.dissipated_J += value.dissipated_J;
     const std::size_t nodes = entry_.nodes.size();
     std::vector<double> weights(&entry_.rule->N[point.point * nodes], &entry_.rule->N[point.point * nodes] + nodes);
+    const auto add_to = [&](Block& block) {
+        add_function(block, weights, value.force_N, value.by_position);
+        if (value.slides) add_area_stretch(block, stretch_at(point.point), value.force_N, weights);
+    };
     if (!point.other) {
         weights.push_back(-1);
-        const auto key = friction_keys + static_cast<std::size_t>(point.obstacle);
-        return add_function(block_of(key, point.obstacle, {}), weights, value.force_N, value.by_position);
+        return add_to(block_of(friction_keys + static_cast<std::size_t>(point.obstacle), point.obstacle, {}));
     }
     const auto& other = at_.surface.entries()[*point.other];
     std::array<mesh::ShapeValue, 9> shapes;
     const auto values = std::span{shapes}.first(other.nodes.size());
     mesh::shape_values(other.undeformed.type, {point.xi[0], point.xi[1], 0}, values);
     for (const auto& shape : values) weights.push_back(-shape.value);
-    add_function(block_of(*point.other, -1, other.nodes), weights, value.force_N, value.by_position);
+    add_to(block_of(*point.other, -1, other.nodes));
 }
 
 }  // namespace soft::contact

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "contact/area.hpp"
 #include "contact/barrier.hpp"
 #include "contact/distance.hpp"
 #include "contact/features.hpp"
@@ -79,8 +80,7 @@ private:
     void add_friction(const Friction::Point& point);
     void note(std::size_t q, int obstacle, double share, const Barrier& b);
     [[nodiscard]] Block& block_of(std::size_t key, int obstacle, std::span<const mesh::Index> others);
-    /// Deformed over undeformed area.
-    [[nodiscard]] double stretch_at(std::size_t q) const;
+    [[nodiscard]] const AreaStretch& stretch_at(std::size_t q);
 
     const ContactState& at_;
     const ContactSurface::Entry& entry_;
@@ -90,6 +90,7 @@ private:
     Summary& summary_;
     std::vector<const SmoothObstacle*> near_;
     std::map<std::size_t, Block> blocks_;
+    std::map<std::size_t, AreaStretch> stretches_;  // of the sample points that touch
     std::vector<double> clearances_m_, pressures_Pa_;
     std::vector<Touch> touches_;
 };

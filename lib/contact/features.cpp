@@ -19,12 +19,6 @@ struct Corner {
     Vector3 normal{};
 };
 
-Vector3 unit_normal(const Patch& map, const surface::FacetPoint& xi) {
-    const auto at = map(xi);
-    const Vector3 n = cross(at.t1, at.t2);
-    return along({}, 1 / norm(n), n);
-}
-
 /// The element with this key, appended if it is new.
 template <class Element, class Key>
 Element& element_of(std::vector<Element>& list, Key Element::*key, const Element& made) {

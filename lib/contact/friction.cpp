@@ -18,12 +18,6 @@ Vector3 turned_into_plane(const Vector3& v, const Vector3& n) {
     return length > 0 ? along({}, norm(v) / length, t) : Vector3{};
 }
 
-Vector3 unit_normal(const Patch& patch, const surface::FacetPoint& xi) {
-    const auto at = patch(xi);
-    const Vector3 n = cross(at.t1, at.t2);
-    return along({}, 1 / norm(n), n);
-}
-
 /// v turned by the smallest rotation that takes the unit vector `from` to `to` (Rodrigues).
 Vector3 turned(const Vector3& v, const Vector3& from, const Vector3& to) {
     const Vector3 axis = cross(from, to);
@@ -123,18 +117,18 @@ Friction::Value Friction::value(const Point& point, const Vector3& relative) {
     Value at;
     const Vector3 trial = along(point.start_m, point.share, tangential(relative, point.normal));
     const double length = norm(trial), most = point.limit_N / point.stiffness_N_m;
-    const bool slides = length > most;
-    at.elastic_m = slides ? along({}, most / length, trial) : trial;
+    at.slides = length > most;
+    at.elastic_m = at.slides ? along({}, most / length, trial) : trial;
     at.force_N = along({}, point.stiffness_N_m, at.elastic_m);
     at.stored_J = 0.5 * dot(at.force_N, at.elastic_m);
-    if (slides)
+    if (at.slides)
         at.dissipated_J =
             0.5 * (1 + point.limit_before_N / point.limit_N) * dot(at.force_N, difference(trial, at.elastic_m));
-    const double stiffness = point.share * (slides ? point.limit_N / length : point.stiffness_N_m);
+    const double stiffness = point.share * (at.slides ? point.limit_N / length : point.stiffness_N_m);
     for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t l = 0; l < 3; ++l) {
             at.by_position[k][l] = stiffness * ((k == l ? 1 : 0) - point.normal[k] * point.normal[l]);
-            if (slides)
+            if (at.slides)
                 at.by_position[k][l] +=
                     trial[k] / length * (point.limit_by_gap_N_m * point.normal[l] - stiffness * trial[l] / length);
             for (std::size_t m = 0; m < 3; ++m)

@@ -66,6 +66,7 @@ public:
         double stored_J = 0, dissipated_J = 0;  ///< since the start of the step
         Vector3 elastic_m{}, force_N{};         ///< the force against the motion
         std::array<Vector3, 3> by_position{};
+        bool slides = false;  ///< the force is in proportion to the limit
     };
     [[nodiscard]] static Value value(const Point& point, const Vector3& relative);
     /// Position relative to the obstacle or the other facet.

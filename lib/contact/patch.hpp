@@ -31,6 +31,12 @@ struct Patch {
 
 [[nodiscard]] Patch make_patch(const surface::FacetMap& facet);
 
+[[nodiscard]] inline Vector3 unit_normal(const Patch& patch, const surface::FacetPoint& xi) {
+    const auto at = patch(xi);
+    const Vector3 n = cross(at.t1, at.t2);
+    return along({}, 1 / norm(n), n);
+}
+
 /// A lower bound of the distance of a point.
 [[nodiscard]] inline double at_least(const Patch& patch, const mesh::Point& x) {
     Vector3 beyond{};

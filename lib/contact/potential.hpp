@@ -1,9 +1,10 @@
 #pragma once
 /// Contact of the actuator with itself, with its mirror images and with rigid obstacles, as a potential of the current positions:
-///   E = sum_q w_q k b(d_q),       k = stiffness_share E_0
-/// over the sample points q of all free facets, with w_q their share of the undeformed area (2 pi R included), E_0 Young's modulus of the
-/// facet's rubber without strain, and b the barrier (barrier.hpp) of the distance d_q to the other facets (features.hpp; w_q/2, because both
-/// sides count) or to an obstacle. The contact pressure is k |b'|; the gap left in contact is below the contact distance h.
+///   E = sum_q w_q J_q k b(d_q),       k = stiffness_share E_0
+/// over the sample points q of all free facets, with w_q J_q their share of the deformed area (w_q of the undeformed one, 2 pi R included; J_q:
+/// area.hpp), E_0 Young's modulus of the facet's rubber without strain, and b the barrier (barrier.hpp) of the distance d_q to the other facets
+/// (features.hpp; w_q/2, because both sides count) or to an obstacle. The contact pressure is k |b'|, per deformed area; the gap left in contact
+/// is below the contact distance h. With the area changes a small tension k b of the surface, of the order of the pressure times h/4.
 /// Facets are the curved facets of the mesh, and no term of the second derivatives is omitted.
 /// d_q is negative behind the facet, for points that have passed through it (has_passed_through in facet_contact.hpp): only Newton's
 /// iterates go there.
@@ -32,7 +33,7 @@ struct Summary {
 
     double energy_J = 0;
     std::vector<double>
-        area_m2;  ///< undeformed area in contact, by obstacle, then with itself (mirror images included)
+        area_m2;  ///< deformed area in contact, by obstacle, then with itself (mirror images included)
     std::vector<double> pressure_Pa;      ///< largest pressure on the deformed area, in the same order
     double max_pressure_Pa = 0;           ///< of all
     double dissipated_J = 0;              ///< by friction since the first step

@@ -111,7 +111,7 @@ model::Case build_case(const design::Design& design, mesh::Mesh mesh, const mode
     result.supports = design.supports;
     result.supports.insert(result.supports.end(), shape.supports.begin(), shape.supports.end());
     result.cavities = shape.cavities;
-    result.obstacles = make_obstacles(design, shape);
+    result.obstacles = make_obstacles(design, shape, mesh);
     result.contact = design.contact;
     add_loads(result, design, meshed);
     add_outputs(result, design, meshed);

@@ -23,7 +23,8 @@ struct ObstacleInput {
     const design::Values& values;
     std::string path;  ///< "obstacles.table"
     model::Kinematics kinematics;
-    double far_m = 0;  ///< of a solid: profiles are extruded from z = -far_m to far_m
+    const mesh::Mesh& mesh;  ///< of the actuator
+    double far_m = 0;        ///< of a solid: profiles are extruded from z = -far_m to far_m
 };
 using ObstacleSurface = decltype(model::Obstacle::shape);
 
@@ -52,7 +53,8 @@ struct ObstacleShape {
                                                                              const mesh::Mesh& mesh);
 
 /// All obstacles of the design. Throws Error (bad_input) if `shape` lacks a faceted one.
-[[nodiscard]] std::vector<model::Obstacle> make_obstacles(const design::Design& design, const model::Shape& shape);
+[[nodiscard]] std::vector<model::Obstacle> make_obstacles(const design::Design& design, const model::Shape& shape,
+                                                          const mesh::Mesh& mesh);
 
 /// Where the undeformed actuator is nearest to an obstacle, or overlaps it most.
 struct ObstacleGap {

@@ -30,6 +30,15 @@ Bounds bounds_of(const mesh::Mesh& mesh) {
     return bounds;
 }
 
+/// Where axes pass that are at most this radius beside the actuator.
+Bounds grown(Bounds bounds, double radius_m) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        bounds.low[i] -= radius_m;
+        bounds.high[i] += radius_m;
+    }
+    return bounds;
+}
+
 /// Points at equal distances on a line, within the bounds.
 void add_line(const Point& start, const Vector3& step, const Bounds& bounds, double radius_m,
               std::vector<OwnPoint>& points) {
@@ -59,16 +68,32 @@ Points points_of(const model::Sphere& sphere, const Bounds&) {
 Points points_of(const model::Cylinder& cylinder, const Bounds& bounds) {
     if (cylinder.side == model::Side::inside) return {};
     const double far_m = norm(difference(bounds.high, bounds.low)) + norm(difference(cylinder.point, bounds.low));
-    Bounds near = bounds;  // the axis may pass beside the actuator
-    for (std::size_t i = 0; i < 3; ++i) {
-        near.low[i] -= cylinder.radius_m;
-        near.high[i] += cylinder.radius_m;
-    }
     if (bounds.low[2] == bounds.high[2] && cylinder.axis[2] != 0) return {{cylinder.point, cylinder.radius_m}};
     Points points;
     Vector3 step = cylinder.axis;
     for (double& component : step) component *= 2 * far_m;
-    add_line(along(cylinder.point, -far_m, cylinder.axis), step, near, cylinder.radius_m, points);
+    add_line(along(cylinder.point, -far_m, cylinder.axis), step, grown(bounds, cylinder.radius_m), cylinder.radius_m,
+             points);
+    return points;
+}
+
+/// Along the edges.
+Points points_of(const model::Box& box, const Bounds& bounds) {
+    Points points;
+    const bool is_section = bounds.low[2] == bounds.high[2];
+    for (std::size_t d = 0; d < (is_section ? 2 : 3); ++d)
+        for (const bool second : {false, true})
+            for (const bool third : {false, true}) {
+                Point start{};
+                for (std::size_t i = 0; i < 3; ++i) {
+                    const bool is_high = i == (d + 1) % 3 ? second : i == (d + 2) % 3 && third;
+                    start[i] = is_high ? box.high[i] - box.radius_m : box.low[i] + box.radius_m;
+                }
+                if (is_section) start[2] = bounds.low[2];
+                Vector3 step{};
+                step[d] = box.high[d] - box.low[d] - 2 * box.radius_m;
+                add_line(start, step, grown(bounds, box.radius_m), box.radius_m, points);
+            }
     return points;
 }
 

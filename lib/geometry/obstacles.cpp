@@ -43,14 +43,15 @@ std::map<std::string, model::FacetedSurface> faceted_obstacles(const design::Des
     for (const auto& request : design.obstacles) {
         const ObstacleShape& shape = shape_of(request);
         if (shape.storage != ObstacleStorage::faceted) continue;
-        const ObstacleInput input{design.values, path_of(request.name), kinematics,
+        const ObstacleInput input{design.values, path_of(request.name), kinematics, mesh,
                                   reach_m + far * mesh::extent_m(mesh)};
         faceted[request.name] = std::get<model::FacetedSurface>(shape.build(input));
     }
     return faceted;
 }
 
-std::vector<model::Obstacle> make_obstacles(const design::Design& design, const model::Shape& shape) {
+std::vector<model::Obstacle> make_obstacles(const design::Design& design, const model::Shape& shape,
+                                            const mesh::Mesh& mesh) {
     std::vector<model::Obstacle> obstacles;
     for (const auto& request : design.obstacles) {
         const ObstacleShape& own = shape_of(request);
@@ -58,7 +59,7 @@ std::vector<model::Obstacle> make_obstacles(const design::Design& design, const 
         const auto friction = design.values.numbers(path_of(request.name) + ".friction");
         obstacle.friction = friction.empty() ? design.contact.friction : friction.front();
         if (own.storage == ObstacleStorage::design) {
-            obstacle.shape = own.build({design.values, path_of(request.name), shape.kinematics});
+            obstacle.shape = own.build({design.values, path_of(request.name), shape.kinematics, mesh});
             continue;
         }
         const auto stored = shape.obstacles.find(request.name);

@@ -24,7 +24,7 @@ namespace soft::model {
 ///   moment: moment of those forces about the axis `direction` through the centroid of the undeformed face [N m]
 /// Of an obstacle, or of the contact of the actuator with itself (model::Output::obstacle):
 ///   force: force of the actuator on the obstacle along `direction` [N]; not of self-contact, where it is 0
-///   contact_area: part of the undeformed surface that is in contact [m^2]
+///   contact_area: part of the deformed surface that is in contact [m^2]
 ///   contact_pressure: maximum contact pressure [Pa]
 /// Force, moment and area are those of the whole actuator (plane strain: for a depth of 1 m).
 enum class Measure {
@@ -134,7 +134,7 @@ inline constexpr std::array measures{
         .reaction = true},
     MeasureInfo{.measure = Measure::contact_area,
                 .name = "area",
-                .meaning = "area of contact with an obstacle, on the undeformed actuator",
+                .meaning = "area of the deformed surface in contact with an obstacle",
                 .unit = area_unit,
                 .along = Along::none,
                 .object = MeasuredObject::obstacle},

@@ -33,6 +33,12 @@ struct Sphere {
     Side side = Side::outside;
 };
 
+/// With sides parallel to the coordinate directions and rounded edges. A section ignores z.
+struct Box {
+    mesh::Point low{}, high{};
+    double radius_m = 0;  ///< of the edges
+};
+
 /// Triangles, or in a section line segments. Their normals point to the actuator: t1 x t2 of a triangle, of a segment from a to b in the
 /// plane (x, y) the direction of a -> b turned clockwise.
 struct FacetedSurface {
@@ -51,7 +57,7 @@ struct FacetedSurface {
 
 struct Obstacle {
     std::string name;
-    std::variant<Plane, Cylinder, Sphere, FacetedSurface> shape;
+    std::variant<Plane, Cylinder, Sphere, Box, FacetedSurface> shape;
     double friction = 0;  ///< coefficient of Coulomb friction
 };
 

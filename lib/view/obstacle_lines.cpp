@@ -36,6 +36,32 @@ Curve circle(const Point& center, double radius, const Vector3& e, const Vector3
     return curve;
 }
 
+/// In the plane of the directions i and j, at a position along the other one.
+std::vector<Curve> rectangle(const model::Box& box, std::size_t i, std::size_t j, double across) {
+    Point middle{across, across, across};
+    std::array<double, 3> half{};
+    for (const std::size_t d : {i, j}) {
+        middle[d] = 0.5 * (box.low[d] + box.high[d]);
+        half[d] = 0.5 * (box.high[d] - box.low[d]) - box.radius_m;
+    }
+    const auto unit = [](std::size_t d, double sign) {
+        Vector3 e{};
+        e[d] = sign;
+        return e;
+    };
+    std::vector<Curve> curves;
+    for (const double a : {-1.0, 1.0}) {
+        curves.push_back(line(along(middle, half[i] + box.radius_m, unit(i, a)), unit(j, 1), half[j]));
+        curves.push_back(line(along(middle, half[j] + box.radius_m, unit(j, a)), unit(i, 1), half[i]));
+        for (const double b : {-1.0, 1.0}) {
+            const Curve whole =
+                circle(sum(middle, half[i], unit(i, a), half[j], unit(j, b)), box.radius_m, unit(i, a), unit(j, b));
+            curves.emplace_back(whole.begin(), whole.begin() + samples / 4 + 1);
+        }
+    }
+    return curves;
+}
+
 struct Frame {
     Point center;  ///< of the window
     double half;   ///< of its diagonal
@@ -99,6 +125,14 @@ struct InSpace {
         }
         return curves;
     }
+    std::vector<Curve> operator()(const model::Box& box) const {
+        std::vector<Curve> curves;
+        for (std::size_t d = 0; d < 3; ++d)
+            for (const double across : {box.low[d] + box.radius_m, box.high[d] - box.radius_m})
+                for (Curve& curve : rectangle(box, (d + 1) % 3, (d + 2) % 3, across))
+                    curves.push_back(std::move(curve));
+        return curves;
+    }
     std::vector<Curve> operator()(const model::FacetedSurface& surface) const { return edges(surface); }
 };
 
@@ -117,6 +151,7 @@ struct InSection {
     std::vector<Curve> operator()(const model::Sphere& sphere) const {
         return {circle(sphere.center, sphere.radius_m, {1, 0, 0}, {0, 1, 0})};
     }
+    std::vector<Curve> operator()(const model::Box& box) const { return rectangle(box, 0, 1, 0); }
     std::vector<Curve> operator()(const model::FacetedSurface& surface) const { return edges(surface); }
 };
 

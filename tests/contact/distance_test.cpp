@@ -25,8 +25,7 @@ TEST(Distance, DerivativesAreExact) {
     const model::Plane plane{{1, 2, 3}, {0.6, 0, 0.8}};
     const model::Cylinder cylinder{{0.5, 0, 1}, {0, 0.6, 0.8}, 0.7, model::Side::inside};
     const model::Sphere sphere{{0.1, 0.2, 0.3}, 0.4};
-    const auto check = [](const auto& shape) {
-        const Point x{0.9, -0.4, 0.7};
+    const auto check = [](const auto& shape, const Point& x = {0.9, -0.4, 0.7}) {
         const Distance at = distance(shape, x);
         constexpr double step = 1e-5;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -43,6 +42,14 @@ TEST(Distance, DerivativesAreExact) {
     check(plane);
     check(cylinder);
     check(sphere);
+    const model::Box box{{-1, 0, 1}, {1, 2, 4}, 0.2};
+    for (const Point& x :
+         {Point{0.3, -0.4, 2}, {1.3, 0.9, 3}, {1.1, -0.1, 2}, {-1.2, 2.1, 3}, {1.4, 2.3, 4.2}, {0.3, 0.1, 2}})
+        check(box, x);
+    EXPECT_NEAR(distance(box, Point{0.3, -0.4, 2}).value_m, 0.4, 1e-12);
+    EXPECT_NEAR(distance(box, Point{0.3, 0.1, 2}).value_m, -0.1, 1e-12);
+    EXPECT_NEAR(distance(box, Point{0.8 + 0.3, 0.2 - 0.4, 2}).value_m, 0.3, 1e-12);
+    EXPECT_NEAR(distance(box, Point{0.8 + 0.2, 1.8 + 0.3, 3.8 + 0.6}).value_m, 0.5, 1e-12);
     EXPECT_NEAR(distance(cylinder, Point{0.5, 0, 1}).value_m, 0.7, 1e-12);
     EXPECT_NEAR(distance(sphere, Point{0.1, 0.2, 1.3}).value_m, 0.6, 1e-12);
 }

@@ -91,16 +91,27 @@ double volume_m3(const model::FacetedSurface& surface) {
     return volume;
 }
 
-TEST(SolidObstacles, BoxesAndSurfacesHaveNormalsOutOfTheObstacle) {
-    const Built b = built(rod() + obstacle("box: {from: [0 mm, 11 mm, 0 mm], to: [10 mm, 13 mm, 5 mm]}"));
-    const auto& box = std::get<model::FacetedSurface>(b.model.obstacles.at(0).shape);
-    EXPECT_EQ(box.facets.size(), 12u);
-    EXPECT_NEAR(volume_m3(box), 100e-9, 1e-20);
+TEST(SolidObstacles, SurfacesHaveNormalsOutOfTheObstacle) {
     const Built t =
         built(rod() +
               "obstacles:\n  thing:\n    unit: cm\n    surface: |\n      v 0 2 0\n      v 1 2 0\n      v 0 3 0\n      "
               "v 0 2 1\n      f 1 2 3\n      f 1 2 4\n      f 2 3 4\n      f 3 1 4\n");  // orientation repaired
     EXPECT_NEAR(volume_m3(std::get<model::FacetedSurface>(t.model.obstacles.at(0).shape)), 1e-6 / 6, 1e-16);
+}
+
+/// Facets of the rod have sides of 5 mm, so that auto is limited by the box.
+TEST(SolidObstacles, EdgesOfABoxAreRounded) {
+    const auto radius_mm = [](const std::string& radius) {
+        const Built b =
+            built(rod() + obstacle("box: {from: [0 mm, 11 mm, 0 mm], to: [20 mm, 31 mm, 12 mm]" + radius + "}"));
+        EXPECT_NEAR(b.gaps.at(0).gap_m, 1 * mm, 1e-15);
+        return std::get<model::Box>(b.model.obstacles.at(0).shape).radius_m / mm;
+    };
+    EXPECT_NEAR(radius_mm(", radius: 2 mm"), 2, 1e-12);
+    EXPECT_EQ(radius_mm(", radius: 0 mm"), 0);
+    EXPECT_NEAR(radius_mm(""), 3, 1e-12);
+    expect_words(refused(rod() + obstacle("box: {from: [0 mm, 11 mm, 0 mm], to: [9 mm, 13 mm, 5 mm], radius: 1.1 mm}")),
+                 {"a.yaml:", "obstacles.thing.box.radius", "thinner than twice this radius"});
 }
 
 TEST(SolidObstacles, ProfilesExtendFarAlongZ) {
@@ -218,6 +229,7 @@ TEST(Obstacles, OfACaseFileAreRebuiltWithoutTheirFile) {
         read(rod() +
              "contact: {self: false}\nobstacles:\n  table: {plane: {point: [0 mm, 0 mm, 0 mm], normal: [0, 0, 1]}}\n"
              "  block: {box: {from: [0 mm, 11 mm, 0 mm], to: [10 mm, 13 mm, 5 mm]}}\n"
+             "  die:\n    profile: |\n      x_mm,y_mm,tag\n      0,11,a\n      50,11,a\n      25,25,a\n"
              "outputs: {push: {obstacle: block, measure: force, along: y}, patch: {obstacle: table, measure: area}}\n");
     Built b = build_with_figures(design);
     model::test::expect_equal(rebuild_case(b.model.mesh, b.shape, design.effective_yaml, "case.h5"), b.model);
@@ -226,7 +238,7 @@ TEST(Obstacles, OfACaseFileAreRebuiltWithoutTheirFile) {
         static_cast<void>(rebuild_case(b.model.mesh, b.shape, design.effective_yaml, "case.h5"));
         FAIL() << "accepted";
     } catch (const Error& error) {
-        expect_words(error.what(), {"obstacles.block: the case does not contain this obstacle; rebuild"});
+        expect_words(error.what(), {"obstacles.die: the case does not contain this obstacle; rebuild"});
     }
 }
 

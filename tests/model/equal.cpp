@@ -39,6 +39,12 @@ void expect_equal(const Sphere& left, const Sphere& right) {
     EXPECT_EQ(left.side, right.side);
 }
 
+void expect_equal(const Box& left, const Box& right) {
+    EXPECT_EQ(left.low, right.low);
+    EXPECT_EQ(left.high, right.high);
+    EXPECT_EQ(left.radius_m, right.radius_m);
+}
+
 void expect_equal(const Obstacle& left, const Obstacle& right) {
     EXPECT_EQ(left.name, right.name);
     ASSERT_EQ(left.shape.index(), right.shape.index());

@@ -1,0 +1,99 @@
+#include "contact/area.hpp"
+
+namespace soft::contact {
+
+namespace {
+
+Vector3 unit_vector(std::size_t i) {
+    Vector3 e{};
+    e[i] = 1;
+    return e;
+}
+
+/// Where the derivative by component p of the nodes of J is in a block.
+std::size_t place(const Block& block, const AreaStretch& stretch, std::size_t p) {
+    const std::size_t own = stretch.gradient.size() / block.dimension;
+    return p / own * block.points() + p % own;
+}
+
+}  // namespace
+
+AreaStretch area_stretch(const ContactSurface::Entry& entry, const Patch& now, std::size_t q,
+                         const ContactSurface& surface, Wanted wanted) {
+    const std::size_t n = entry.nodes.size(), dimension = surface.dimension(), size = n * dimension;
+    AreaStretch stretch;
+    stretch.gradient.assign(size, 0);
+    if (wanted == Wanted::hessian) stretch.hessian.assign(size * size, 0);
+    if (entry.weight_m2[q] == 0) return stretch;
+    const auto before = entry.undeformed(entry.rule->xi[q]), at = now(entry.rule->xi[q]);
+    const Vector3 c = cross(at.t1, at.t2);
+    const double length = norm(c), undeformed = norm(cross(before.t1, before.t2));
+    const Vector3 m = along({}, 1 / length, c);
+    // dc of a tangent along each axis: of the first, and of the second.
+    std::array<std::array<Vector3, 3>, 2> dc{};
+    for (std::size_t i = 0; i < dimension; ++i)
+        dc[0][i] = cross(unit_vector(i), at.t2), dc[1][i] = cross(at.t1, unit_vector(i));
+    const double *N = &entry.rule->N[q * n], ratio = surface.is_revolved() ? at.x[1] / before.x[1] : 1,
+                 by_radius_1_m = surface.is_revolved() ? 1 / before.x[1] : 0;
+    const auto* dN = &entry.rule->dN[q * n];
+    stretch.value = ratio * length / undeformed;
+    std::vector<double> along_surface(size);
+    for (std::size_t i = 0; i < dimension; ++i)
+        for (std::size_t a = 0; a < n; ++a)
+            along_surface[i * n + a] = (dN[a][0] * dot(m, dc[0][i]) + dN[a][1] * dot(m, dc[1][i])) / undeformed;
+    const auto radial = [&](std::size_t i, std::size_t a) { return i == 1 ? by_radius_1_m * N[a] : 0; };
+    for (std::size_t i = 0; i < dimension; ++i)
+        for (std::size_t a = 0; a < n; ++a)
+            stretch.gradient[i * n + a] = ratio * along_surface[i * n + a] + radial(i, a) * length / undeformed;
+    if (wanted != Wanted::hessian) return stretch;
+    for (std::size_t i = 0; i < dimension; ++i)
+        for (std::size_t j = 0; j < dimension; ++j) {
+            std::array<std::array<double, 2>, 2> K{};  // of |c| by both tangents
+            for (std::size_t s = 0; s < 2; ++s)
+                for (std::size_t t = 0; t < 2; ++t)
+                    K[s][t] = (dot(dc[s][i], dc[t][j]) - dot(m, dc[s][i]) * dot(m, dc[t][j])) / length;
+            const double turn = dot(m, cross(unit_vector(i), unit_vector(j)));
+            K[0][1] += turn;
+            K[1][0] -= turn;
+            for (std::size_t a = 0; a < n; ++a)
+                for (std::size_t b = 0; b < n; ++b) {
+                    double sum = 0;
+                    for (std::size_t s = 0; s < 2; ++s)
+                        for (std::size_t t = 0; t < 2; ++t) sum += dN[a][s] * K[s][t] * dN[b][t];
+                    stretch.hessian[(i * n + a) * size + j * n + b] = ratio * sum / undeformed +
+                                                                      radial(i, a) * along_surface[j * n + b] +
+                                                                      radial(j, b) * along_surface[i * n + a];
+                }
+        }
+    return stretch;
+}
+
+void add_area_stretch(Block& block, const AreaStretch& stretch, double e, const Vector3& g,
+                      std::span<const double> weights) {
+    const std::size_t n = block.points(), size = n * block.dimension, own_size = stretch.gradient.size();
+    const auto at = [&](std::size_t p) { return place(block, stretch, p); };
+    for (std::size_t p = 0; p < own_size; ++p) block.gradient[at(p)] += e * stretch.gradient[p];
+    if (block.hessian.empty()) return;
+    for (std::size_t p = 0; p < own_size; ++p) {
+        for (std::size_t q = 0; q < own_size; ++q)
+            block.hessian[at(p) * size + at(q)] += e * stretch.hessian[p * own_size + q];
+        for (std::size_t j = 0; j < block.dimension; ++j)
+            for (std::size_t b = 0; b < n; ++b) {
+                const double product = stretch.gradient[p] * g[j] * weights[b];
+                block.hessian[at(p) * size + j * n + b] += product;
+                block.hessian[(j * n + b) * size + at(p)] += product;
+            }
+    }
+}
+
+void add_area_stretch(Block& block, const AreaStretch& stretch, const Vector3& force, std::span<const double> weights) {
+    if (block.hessian.empty()) return;
+    const std::size_t n = block.points(), size = n * block.dimension;
+    for (std::size_t i = 0; i < block.dimension; ++i)
+        for (std::size_t a = 0; a < n; ++a)
+            for (std::size_t p = 0; p < stretch.gradient.size(); ++p)
+                block.hessian[(i * n + a) * size + place(block, stretch, p)] +=
+                    force[i] * weights[a] * stretch.gradient[p] / stretch.value;
+}
+
+}  // namespace soft::contact
