@@ -19,6 +19,15 @@ using mesh::Point;
 /// An iterate may go this deep behind a facet (fraction of its size).
 constexpr double deepest_in_sizes = 0.15, least_step_in_sizes = 0.03;
 
+/// Largest motion of a point of a facet relative to its centre.
+double turning_m(const Patch& from, const Patch& to) {
+    const Vector3 moved = difference(to.centre, from.centre);
+    double largest = 0;
+    for (std::size_t a = 0; a < static_cast<std::size_t>(mesh::node_count(from.type)); ++a)
+        largest = std::max(largest, norm(difference(difference(to.nodes[a], from.nodes[a]), moved)));
+    return of_nodal_motion * largest;
+}
+
 }  // namespace
 
 class Potential::Parts {
@@ -101,16 +110,21 @@ double Potential::Parts::share_without_crossing(std::span<const Patch> from, std
         std::vector<std::size_t> near;
         for (const std::size_t j : others[i])
             if (separations.clearance_m(i, j, to) <= 0) near.push_back(j);
+        std::vector<double> turning;
+        for (const std::size_t j : near) turning.push_back(turning_m(from[j], to[j]));
         std::vector<const SmoothObstacle*> near_smooth;
         for (const SmoothObstacle& obstacle : smooth)
             if (obstacle.at(to[i].centre, shifts_to).value_m < to[i].radius_m) near_smooth.push_back(&obstacle);
         if (near.empty() && near_smooth.empty()) continue;
         for (std::size_t q = 0; q < entry.X.size(); ++q) {
             const Point x = from[i](entry.rule->xi[q]).x, next = to[i](entry.rule->xi[q]).x;
-            for (const std::size_t j : near) {
+            for (std::size_t k = 0; k < near.size(); ++k) {
+                const std::size_t j = near[k];
                 const auto& other = surface.entries()[j];
-                const Vector3 moved = difference(to[j].centre, from[j].centre);
-                if (at_least(from[j], x) > norm(difference(difference(next, x), moved)) + from[j].radius_m) continue;
+                const double approach = norm(difference(difference(next, x), difference(to[j].centre, from[j].centre)));
+                const double apart = at_least(from[j], x);
+                if (apart > approach + from[j].radius_m) continue;
+                if (apart > approach + turning[k] && height_above(from[j], x) > 0) continue;
                 const ClosestPoint closest = closest_point(from[j], x);
                 const auto y = from[j](closest.xi);
                 const Vector3 r = difference(x, y.x), n = cross(y.t1, y.t2);

@@ -38,7 +38,8 @@ void reduce(Evaluation& result, const Discretization& fe) {
 
 }  // namespace
 
-Evaluation Assembler::evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::span<const LoadColumn> columns) {
+Evaluation Assembler::evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::span<const LoadColumn> columns,
+                               NewEntries entries) {
     std::optional<linalg::ScopedTimer> timed(K != nullptr ? linalg::Phase::tangent : linalg::Phase::residual);
     state_.prescribe(levels);
     state_.read(x);
@@ -59,7 +60,7 @@ Evaluation Assembler::evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, st
     for (std::size_t load = 0; load < loads_.pressures.size(); ++load) add_pressures(load, to);
     tangent.reset();
     timed.reset();
-    add_contact(to, K);
+    const bool is_beyond = result.admissible() && add_contact(to, K, entries);
     timed.emplace(K != nullptr ? linalg::Phase::tangent : linalg::Phase::residual);
     linalg::assemble(R);
     for (const auto& column : columns) linalg::assemble(column.out);
@@ -68,7 +69,7 @@ Evaluation Assembler::evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, st
     PetscObjectState before = indices_.state, after = before;
     linalg::assemble(K);
     SOFT_PETSC(MatGetNonzeroState(K, &after));
-    result.pattern_grew = after != before;
+    result.pattern_grew = is_beyond || after != before;
     return result;
 }
 
@@ -180,18 +181,26 @@ void Assembler::add_dead_loads(const Targets& to) const {
     }
 }
 
-void Assembler::add_contact(const Targets& to, Mat K) const {
+bool Assembler::add_contact(const Targets& to, Mat K, NewEntries entries) const {
     const linalg::ScopedTimer timed(linalg::Phase::contact);
     const auto wanted = K != nullptr ? contact::Wanted::hessian : contact::Wanted::gradient;
     if (K != nullptr) SOFT_PETSC(MatSetOption(K, MAT_NEW_NONZERO_ALLOCATION_ERR, PETSC_FALSE));
+    int is_beyond = 0;
     const auto add = [&](std::span<const PetscInt> dofs, const contact::Block& block) {
         const auto size = static_cast<PetscInt>(dofs.size());
         SOFT_PETSC(VecSetValues(to.R, size, dofs.data(), block.gradient.data(), ADD_VALUES));
         if (K == nullptr) return;
+        // All components of two nodes are coupled, or none.
+        if (!linalg::contains_block(K, dofs.first(block.points()))) {
+            is_beyond = 1;
+            if (entries == NewEntries::omit) return;
+        }
         SOFT_PETSC(MatSetValues(K, size, dofs.data(), size, dofs.data(), block.hessian.data(), ADD_VALUES));
         for (const auto& column : to.columns) subtract_moved(column, dofs, block.hessian);
     };
     contact_.evaluate(wanted, add);
+    if (K != nullptr) MPI_Allreduce(MPI_IN_PLACE, &is_beyond, 1, MPI_INT, MPI_MAX, fe_.comm);
+    return is_beyond == 1;
 }
 
 void Assembler::load_forces(Vec x, const LoadLevels& levels, Vec R) {

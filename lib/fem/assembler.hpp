@@ -20,9 +20,12 @@ struct Evaluation {
     double min_jacobian = 1;      ///< smallest det F over all quadrature points
     mesh::Index worst_cell = -1;  ///< cell where it occurs
     double force_scale = 0;       ///< root of the sum of squares of all cells' nodal forces, before they cancel
-    bool pattern_grew = false;    ///< contact has added entries to the pattern of K
+    bool pattern_grew = false;    ///< contact needs, or has added, entries beyond the pattern of K
     [[nodiscard]] bool admissible() const noexcept { return min_jacobian > 0.0; }
 };
+
+/// What happens to blocks of contact beyond the pattern of a matrix. To insert them moves the whole matrix for every row.
+enum class NewEntries { omit, insert };
 
 /// A direction of the load levels, and the vector that receives -dR/d(direction).
 struct LoadColumn {
@@ -37,8 +40,9 @@ public:
         : fe_(fe), loads_(loads), contact_(contact), state_(state) {}
 
     /// Fills R and the columns, and with K also the tangent (required by columns that move a face). Prescribes the levels' motions.
-    /// If the result is not admissible they are incomplete. Contact may add entries to the pattern of K.
-    Evaluation evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::span<const LoadColumn> columns = {});
+    /// If the result is not admissible they are incomplete, and so is K where the pattern grew and new entries are omitted.
+    Evaluation evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::span<const LoadColumn> columns,
+                        NewEntries entries);
 
     /// The part of R of pressure and dead loads alone, and of no cell. Prescribes the levels.
     void load_forces(Vec x, const LoadLevels& levels, Vec R);
@@ -66,7 +70,8 @@ private:
     void add_cells(std::size_t group, const Targets& to, Evaluation& result) const;
     void add_pressures(std::size_t load, const Targets& to) const;
     void add_dead_loads(const Targets& to) const;
-    void add_contact(const Targets& to, Mat K) const;
+    /// Returns whether a block is beyond the pattern of K.
+    [[nodiscard]] bool add_contact(const Targets& to, Mat K, NewEntries entries) const;
     /// column -= matrix x (velocity of the prescribed components), for one cell or facet.
     void subtract_moved(const LoadColumn& column, std::span<const PetscInt> dofs, std::span<const double> matrix) const;
     /// Power of the forces that move prescribed components.

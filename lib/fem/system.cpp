@@ -22,6 +22,21 @@ linalg::Matrix System::make_matrix() const {
     return make_zero_matrix(fe_.input.mesh, fe_.dofs, fe_.references, contact_.couplings(), fe_.comm);
 }
 
+void System::renew(Mat K) const {
+    Mat replacement = make_matrix().release();
+    SOFT_PETSC(MatHeaderReplace(K, &replacement));
+}
+
+Evaluation System::evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::span<const LoadColumn> columns) {
+    Evaluation at = assembler_.evaluate(x, levels, R, K, columns, NewEntries::omit);
+    if (!at.pattern_grew) return at;
+    contact_.couple();
+    renew(K);
+    at = assembler_.evaluate(x, levels, R, K, columns, NewEntries::insert);
+    at.pattern_grew = true;
+    return at;
+}
+
 bool System::has_initial_stress() const {
     return std::ranges::any_of(fe_.rubbers,
                                [](const auto& rubber) { return material::reference_stress_Pa(rubber) > 0.0; });

@@ -24,9 +24,10 @@ public:
     [[nodiscard]] linalg::Matrix make_matrix() const;
 
     void prescribe(const LoadLevels& levels) { state_.prescribe(levels); }
-    Evaluation evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::span<const LoadColumn> columns = {}) {
-        return assembler_.evaluate(x, levels, R, K, columns);
-    }
+    /// See Assembler. Where contact couples unknowns beyond the pattern of K, K gets another pattern behind its handle (pattern_grew).
+    Evaluation evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::span<const LoadColumn> columns = {});
+    /// Replaces the matrix behind the handle by one of make_matrix().
+    void renew(Mat K) const;
     [[nodiscard]] Contact& contact() noexcept { return contact_; }
     [[nodiscard]] const Contact& contact() const noexcept { return contact_; }
     [[nodiscard]] InternalVariables& internal() noexcept { return state_.internal(); }

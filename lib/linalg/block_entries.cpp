@@ -74,6 +74,32 @@ std::uint64_t pattern_hash(Mat K) {
     return hash;
 }
 
+bool contains_block(Mat K, std::span<const PetscInt> dofs) {
+    const Parts parts = parts_of(K);
+    const MatrixRows own = rows_of(parts.diagonal), rest = parts.rest == nullptr ? MatrixRows{} : rows_of(parts.rest);
+    PetscInt begin = 0, end = 0, rest_columns = 0;
+    SOFT_PETSC(MatGetOwnershipRange(K, &begin, &end));
+    if (parts.rest != nullptr) SOFT_PETSC(MatGetSize(parts.rest, nullptr, &rest_columns));
+    const auto contains = [](const MatrixRows& rows, PetscInt row, PetscInt column) {
+        return std::binary_search(rows.columns + rows.begin[row], rows.columns + rows.begin[row + 1], column);
+    };
+    for (const PetscInt row : dofs) {
+        if (row < begin || row >= end) continue;
+        for (const PetscInt column : dofs) {
+            if (column < 0) continue;
+            if (column >= begin && column < end) {
+                if (!contains(own, row - begin, column - begin)) return false;
+                continue;
+            }
+            const PetscInt* known = std::lower_bound(parts.columns, parts.columns + rest_columns, column);
+            if (known == parts.columns + rest_columns || *known != column ||
+                !contains(rest, row - begin, static_cast<PetscInt>(known - parts.columns)))
+                return false;
+        }
+    }
+    return true;
+}
+
 BlockIndices::BlockIndices(Mat K, std::span<const std::span<const PetscInt>> blocks) {
     for (const auto block : blocks) {
         blocks_.push_back({dofs_.size(), indices_.size()});

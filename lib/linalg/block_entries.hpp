@@ -14,6 +14,9 @@ namespace soft::linalg {
 /// same hash.
 [[nodiscard]] std::uint64_t pattern_hash(Mat K);
 
+/// Whether the pattern of K contains all entries of a block in this rank's rows; -1 omits an unknown. Does not communicate.
+[[nodiscard]] bool contains_block(Mat K, std::span<const PetscInt> dofs);
+
 /// Indices of the entries of many blocks in matrices with the pattern of K.
 class BlockIndices {
 public:

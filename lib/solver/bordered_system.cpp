@@ -64,13 +64,9 @@ Mat BorderedSystem::matrix_for(Assemble what) {
 fem::Evaluation BorderedSystem::evaluate_at(const State& state, Assemble what) {
     const auto levels = loads_->levels(state.load_factor, state.pressures_Pa);
     const Mat matrix = matrix_for(what);
-    auto evaluation = system.evaluate(state.x, levels, R, matrix, forces);
+    const auto evaluation = system.evaluate(state.x, levels, R, matrix, forces);
     has_time_force_ = false;
-    if (evaluation.pattern_grew && matrix == K) {
-        system.contact().couple();
-        rebuild_pattern();
-        evaluation = system.evaluate(state.x, levels, R, matrix, forces);
-    }
+    if (evaluation.pattern_grew && matrix == K) pattern_changed();
     assembled_at_.reset();
     if (drag_ > 0.0)
         add_drag(state, matrix);
@@ -126,9 +122,7 @@ void BorderedSystem::add_drag(const State& state, Mat matrix) {
 }
 
 /// The linear solver and others keep the handle of K.
-void BorderedSystem::rebuild_pattern() {
-    Mat replacement = system.make_matrix().release();
-    SOFT_PETSC(MatHeaderReplace(K, &replacement));
+void BorderedSystem::pattern_changed() {
     spare_ = {};
     linear.pattern_changed();
     if (differences_) differences_.emplace(system, K, settings.tangent);
@@ -139,7 +133,9 @@ void BorderedSystem::rebuild_pattern() {
 
 void BorderedSystem::couple_contact(const State& state) {
     system.prescribe(loads_->levels(state.load_factor, state.pressures_Pa));
-    if (system.contact().couple(state.x)) rebuild_pattern();
+    if (!system.contact().couple(state.x)) return;
+    system.renew(K);
+    pattern_changed();
 }
 
 double BorderedSystem::share_without_crossing(const State& from, const State& to) {

@@ -95,7 +95,7 @@ public:
 
 private:
     [[nodiscard]] Mat matrix_for(Assemble what);
-    void rebuild_pattern();
+    void pattern_changed();
     void add_drag(const State& state, Mat matrix);
 
     double drag_ = 0;

@@ -42,6 +42,14 @@ Matrix searched(MatType type) {
 
 class BlockEntries : public testing::TestWithParam<MatType> {};
 
+TEST_P(BlockEntries, OfAPatternAreFound) {
+    const Matrix K = searched(GetParam());
+    for (const auto& block : chain) EXPECT_TRUE(contains_block(K, block));
+    EXPECT_TRUE(contains_block(K, std::array<PetscInt, 2>{3, -1}));
+    EXPECT_FALSE(contains_block(K, std::array<PetscInt, 2>{0, 3}));
+    EXPECT_FALSE(contains_block(K, std::array<PetscInt, 3>{2, 4, 5}));
+}
+
 TEST_P(BlockEntries, AreBitwiseEqualToMatSetValues) {
     const Matrix expected = searched(GetParam());
     Matrix K = searched(GetParam());
