@@ -10,7 +10,7 @@ Vector3 unit_vector(std::size_t i) {
     return e;
 }
 
-/// Where the derivative by component p of the nodes of J is in a block.
+/// Where the derivative by component p of the nodes of the factor is in a block.
 std::size_t place(const Block& block, const AreaStretch& stretch, std::size_t p) {
     const std::size_t own = stretch.gradient.size() / block.dimension;
     return p / own * block.points() + p % own;
@@ -18,34 +18,46 @@ std::size_t place(const Block& block, const AreaStretch& stretch, std::size_t p)
 
 }  // namespace
 
+AreaFactor area_factor(double stretch) {
+    constexpr double full = 4;
+    const double u = stretch / full - 1, below = 1 + u * u;
+    if (u <= 0) return {};
+    return {1 + u * u * u / below, u * u * (3 + u * u) / (below * below * full),
+            2 * u * (3 - u * u) / (below * below * below * full * full)};
+}
+
 AreaStretch area_stretch(const ContactSurface::Entry& entry, const Patch& now, std::size_t q,
                          const ContactSurface& surface, Wanted wanted) {
-    const std::size_t n = entry.nodes.size(), dimension = surface.dimension(), size = n * dimension;
     AreaStretch stretch;
-    stretch.gradient.assign(size, 0);
-    if (wanted == Wanted::hessian) stretch.hessian.assign(size * size, 0);
     if (entry.weight_m2[q] == 0) return stretch;
     const auto before = entry.undeformed(entry.rule->xi[q]), at = now(entry.rule->xi[q]);
     const Vector3 c = cross(at.t1, at.t2);
-    const double length = norm(c), undeformed = norm(cross(before.t1, before.t2));
-    const Vector3 m = along({}, 1 / length, c);
-    // dc of a tangent along each axis: of the first, and of the second.
-    std::array<std::array<Vector3, 3>, 2> dc{};
-    for (std::size_t i = 0; i < dimension; ++i)
-        dc[0][i] = cross(unit_vector(i), at.t2), dc[1][i] = cross(at.t1, unit_vector(i));
-    const double *N = &entry.rule->N[q * n], ratio = surface.is_revolved() ? at.x[1] / before.x[1] : 1,
+    const double length = norm(c), undeformed = norm(cross(before.t1, before.t2)),
+                 ratio = surface.is_revolved() ? at.x[1] / before.x[1] : 1,
                  by_radius_1_m = surface.is_revolved() ? 1 / before.x[1] : 0;
+    stretch.stretch = ratio * length / undeformed;
+    const AreaFactor factor = area_factor(stretch.stretch);
+    stretch.factor = factor.value;
+    if (factor.by_stretch == 0) return stretch;
+    const std::size_t n = entry.nodes.size(), dimension = surface.dimension(), size = n * dimension;
+    const Vector3 m = along({}, 1 / length, c);
+    std::array<std::array<Vector3, 3>, 2> dc{};  // by each component of the first tangent, and of the second
+    for (std::size_t i = 0; i < dimension; ++i) {
+        dc[0][i] = cross(unit_vector(i), at.t2);
+        dc[1][i] = cross(at.t1, unit_vector(i));
+    }
+    const double* N = &entry.rule->N[q * n];
     const auto* dN = &entry.rule->dN[q * n];
-    stretch.value = ratio * length / undeformed;
-    std::vector<double> along_surface(size);
-    for (std::size_t i = 0; i < dimension; ++i)
-        for (std::size_t a = 0; a < n; ++a)
-            along_surface[i * n + a] = (dN[a][0] * dot(m, dc[0][i]) + dN[a][1] * dot(m, dc[1][i])) / undeformed;
+    std::vector<double> along_surface(size), by_position(size);
     const auto radial = [&](std::size_t i, std::size_t a) { return i == 1 ? by_radius_1_m * N[a] : 0; };
     for (std::size_t i = 0; i < dimension; ++i)
-        for (std::size_t a = 0; a < n; ++a)
-            stretch.gradient[i * n + a] = ratio * along_surface[i * n + a] + radial(i, a) * length / undeformed;
+        for (std::size_t a = 0; a < n; ++a) {
+            along_surface[i * n + a] = (dN[a][0] * dot(m, dc[0][i]) + dN[a][1] * dot(m, dc[1][i])) / undeformed;
+            by_position[i * n + a] = ratio * along_surface[i * n + a] + radial(i, a) * length / undeformed;
+        }
+    for (const double slope : by_position) stretch.gradient.push_back(factor.by_stretch * slope);
     if (wanted != Wanted::hessian) return stretch;
+    stretch.hessian.assign(size * size, 0);
     for (std::size_t i = 0; i < dimension; ++i)
         for (std::size_t j = 0; j < dimension; ++j) {
             std::array<std::array<double, 2>, 2> K{};  // of |c| by both tangents
@@ -57,12 +69,14 @@ AreaStretch area_stretch(const ContactSurface::Entry& entry, const Patch& now, s
             K[1][0] -= turn;
             for (std::size_t a = 0; a < n; ++a)
                 for (std::size_t b = 0; b < n; ++b) {
+                    const std::size_t p = i * n + a, r = j * n + b;
                     double sum = 0;
                     for (std::size_t s = 0; s < 2; ++s)
                         for (std::size_t t = 0; t < 2; ++t) sum += dN[a][s] * K[s][t] * dN[b][t];
-                    stretch.hessian[(i * n + a) * size + j * n + b] = ratio * sum / undeformed +
-                                                                      radial(i, a) * along_surface[j * n + b] +
-                                                                      radial(j, b) * along_surface[i * n + a];
+                    stretch.hessian[p * size + r] =
+                        factor.by_stretch * (ratio * sum / undeformed + radial(i, a) * along_surface[r] +
+                                             radial(j, b) * along_surface[p]) +
+                        factor.second_by_stretch * by_position[p] * by_position[r];
                 }
         }
     return stretch;
@@ -70,6 +84,7 @@ AreaStretch area_stretch(const ContactSurface::Entry& entry, const Patch& now, s
 
 void add_area_stretch(Block& block, const AreaStretch& stretch, double e, const Vector3& g,
                       std::span<const double> weights) {
+    if (stretch.gradient.empty()) return;
     const std::size_t n = block.points(), size = n * block.dimension, own_size = stretch.gradient.size();
     const auto at = [&](std::size_t p) { return place(block, stretch, p); };
     for (std::size_t p = 0; p < own_size; ++p) block.gradient[at(p)] += e * stretch.gradient[p];
@@ -93,7 +108,7 @@ void add_area_stretch(Block& block, const AreaStretch& stretch, const Vector3& f
         for (std::size_t a = 0; a < n; ++a)
             for (std::size_t p = 0; p < stretch.gradient.size(); ++p)
                 block.hessian[(i * n + a) * size + place(block, stretch, p)] +=
-                    force[i] * weights[a] * stretch.gradient[p] / stretch.value;
+                    force[i] * weights[a] * stretch.gradient[p] / stretch.factor;
 }
 
 }  // namespace soft::contact

@@ -42,7 +42,8 @@ Distance distance(const model::Box& box, const mesh::Point& x) {
     std::size_t beside = 0, side = 0;
     double highest_m = -std::numeric_limits<double>::max();
     for (std::size_t d = 0; d < 3; ++d) {
-        const double low = box.low[d] + box.radius_m, high = box.high[d] - box.radius_m;
+        const double middle = 0.5 * (box.low[d] + box.high[d]), low = std::min(box.low[d] + box.radius_m, middle),
+                     high = std::max(box.high[d] - box.radius_m, middle);
         arm[d] = x[d] - std::clamp(x[d], low, high);
         if (arm[d] != 0) ++beside;
         if (const double height_m = std::max(low - x[d], x[d] - high); height_m > highest_m) {

@@ -121,8 +121,9 @@ Block& FacetContact::block_of(std::size_t key, int obstacle, std::span<const mes
 
 void FacetContact::note(std::size_t q, int obstacle, double share, const Barrier& b) {
     const std::size_t k = obstacle >= 0 ? static_cast<std::size_t>(obstacle) : summary_.area_m2.size() - 1;
-    const double pressure = -entry_.stiffness_Pa * b.slope;
-    summary_.area_m2[k] += share * entry_.weight_m2[q] * stretch_at(q).value;
+    const AreaStretch& stretch = stretch_at(q);
+    const double pressure = -entry_.stiffness_Pa * b.slope * stretch.factor / stretch.stretch;
+    summary_.area_m2[k] += share * entry_.weight_m2[q] * stretch.stretch;
     summary_.pressure_Pa[k] = std::max(summary_.pressure_Pa[k], pressure);
     pressures_Pa_[q] = std::max(pressures_Pa_[q], pressure);
     if (summary_.location && pressure <= summary_.max_pressure_Pa) return;
@@ -219,7 +220,7 @@ void FacetContact::add_feature(std::size_t q, const Point& x, const Feature& fea
     const AreaStretch& stretch = stretch_at(q);
     const double share = itself ? 0.5 : 1.0, d = behind ? -distance : distance,
                  undeformed = feature.coefficient * share * entry_.weight_m2[q] * entry_.stiffness_Pa,
-                 scale = undeformed * stretch.value, by_f = distance > no_gap * h ? scale * b.slope / d : 0;
+                 scale = undeformed * stretch.factor, by_f = distance > no_gap * h ? scale * b.slope / d : 0;
     const Vector3 n = distance > 0 ? along({}, 1 / d, r) : along({}, 1 / norm(feature.normal), feature.normal);
     Vector3 g{};
     std::array<Vector3, 3> H{};
@@ -257,13 +258,14 @@ void FacetContact::add_smooth(std::size_t q, const Point& x, const SmoothObstacl
         mirror && !is_facing(entry_.undeformed, entry_, q, obstacle.distance(entry_.X[q]).gradient);
     const double reach = along_rubber ? std::min(h, share_of_initial_gap * initial) : h,
                  gap = d.value_m + (along_rubber ? 0 : std::max(h - initial, 0.0));
+    clearance_of_obstacles_m_ = std::min(clearance_of_obstacles_m_, gap - reach);
     if (gap >= reach) return;
     const Barrier b = barrier(gap, reach);
     const std::size_t nodes = entry_.nodes.size();
     std::vector<double> weights(&entry_.rule->N[q * nodes], &entry_.rule->N[q * nodes] + nodes);
     if (!mirror) weights.push_back(-1);
     const AreaStretch& stretch = stretch_at(q);
-    const double undeformed = entry_.weight_m2[q] * entry_.stiffness_Pa, scale = undeformed * stretch.value;
+    const double undeformed = entry_.weight_m2[q] * entry_.stiffness_Pa, scale = undeformed * stretch.factor;
     summary_.energy_J += scale * b.value_m;
     Vector3 g{};
     std::array<Vector3, 3> H{};

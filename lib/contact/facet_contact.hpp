@@ -1,6 +1,7 @@
 #pragma once
 /// Contact of one facet of the actuator with other facets and obstacles. Private to the module. Tested by contact/potential_test and ridge_test.
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -40,7 +41,17 @@ struct SmoothObstacle {
 
     /// `shifts`: displacement of each obstacle.
     [[nodiscard]] Distance at(const mesh::Point& x, std::span<const Vector3> shifts) const {
-        return distance(index < 0 ? x : along(x, -1, shifts[static_cast<std::size_t>(index)]));
+        return distance(seen(x, shifts));
+    }
+    /// Relative to the obstacle.
+    [[nodiscard]] mesh::Point seen(const mesh::Point& x, std::span<const Vector3> shifts) const {
+        return index < 0 ? x : along(x, -1, shifts[static_cast<std::size_t>(index)]);
+    }
+    /// The distance at a share of the way between two positions.
+    [[nodiscard]] double on_the_way(const mesh::Point& x, const mesh::Point& to, double share,
+                                    std::span<const Vector3> shifts, std::span<const Vector3> shifts_to) const {
+        const mesh::Point from = seen(x, shifts);
+        return distance(along(from, share, difference(seen(to, shifts_to), from))).value_m;
     }
 };
 
@@ -65,6 +76,8 @@ public:
     void add(const std::function<void(const Block&)>& to);
     /// By other facet, after add(): the motion towards it after which a point of this facet may touch it or lie behind it.
     [[nodiscard]] std::span<const double> clearances_m() const { return clearances_m_; }
+    /// Likewise of the smooth obstacles, the nearest.
+    [[nodiscard]] double clearance_of_obstacles_m() const { return clearance_of_obstacles_m_; }
     /// Largest pressure on the deformed area by sample point, after add(); empty where nothing is near.
     [[nodiscard]] std::vector<double> pressures_Pa() { return std::move(pressures_Pa_); }
 
@@ -92,6 +105,7 @@ private:
     std::map<std::size_t, Block> blocks_;
     std::map<std::size_t, AreaStretch> stretches_;  // of the sample points that touch
     std::vector<double> clearances_m_, pressures_Pa_;
+    double clearance_of_obstacles_m_ = std::numeric_limits<double>::max();
     std::vector<Touch> touches_;
 };
 

@@ -3,7 +3,7 @@
 ///   e = e_0 + g(x),   t = k_t e where |k_t e| <= mu f, else t = mu f e/|e|,   k_t = w k / h
 /// with the elastic slip e_0 and the state x_0 at the start of the step, the tangential motion g(x) since then of the point relative to
 /// the obstacle or to the point of the other facet, the force f of the normal contact, and the share w of the undeformed area.
-/// The derivative of t contains that of f by the gap, which is not symmetric, and the rotation of the tangent plane on a smooth obstacle.
+/// The derivative of t contains that of f by the gap and by the area, which is not symmetric, and the rotation of the tangent plane on a smooth obstacle.
 /// It omits that rotation on facets and the motion of the closest point along the other facet, both of the order of mu f over the
 /// stiffness of the surface.
 /// The slip e is at most mu f h/(w k) in rest, which is below h: the larger h, the more a surface creeps before it slides.

@@ -70,18 +70,46 @@ public:
                             Summary& summary, const std::function<void(const Block&)>& to) {
         Separations& apart = at.rests ? separations_at_rest : separations;
         std::vector<std::size_t> near;
+        const auto is_apart_by = [this](double clearance) {
+            if (clearance > 0) clearance_m = std::min(clearance_m, clearance);
+            return clearance > 0;
+        };
         for (const std::size_t j : others)
-            if (at_least(at.patches[i], at.patches[j]) <= surface.entries()[i].range_m &&
-                apart.clearance_m(i, j, at.patches) <= 0)
+            if (!is_apart_by(at_least(at.patches[i], at.patches[j]) - surface.entries()[i].range_m) &&
+                !is_apart_by(apart.clearance_m(i, j, at.patches)))
                 near.push_back(j);
         FacetContact facet(at, i, near, summary);
         facet.add(to);
-        for (std::size_t k = 0; k < near.size(); ++k) apart.set(i, near[k], facet.clearances_m()[k], at.patches);
+        clearance_m = std::min(clearance_m, facet.clearance_of_obstacles_m());
+        for (std::size_t k = 0; k < near.size(); ++k) {
+            apart.set(i, near[k], facet.clearances_m()[k], at.patches);
+            clearance_m = std::min(clearance_m, facet.clearances_m()[k]);
+        }
         return facet.pressures_Pa();
     }
 
     [[nodiscard]] double share_without_crossing(std::span<const Patch> from, std::span<const Vector3> shifts,
                                                 std::span<const Patch> to, std::span<const Vector3> shifts_to);
+
+    /// What touches() knows: nothing touches while no node moves farther than this from these positions.
+    struct Rest {
+        std::vector<Point> positions;
+        std::vector<Vector3> shifts;
+        double motion_m = 0;
+
+        [[nodiscard]] bool holds(std::span<const mesh::Index> nodes, std::span<const Point> at,
+                                 std::span<const Vector3> shifts_at) const {
+            const auto moves = [this](const Vector3& from, const Vector3& to) {
+                const Vector3 motion = difference(to, from);
+                return dot(motion, motion) > motion_m * motion_m;
+            };
+            for (std::size_t k = 0; k < nodes.size(); ++k)
+                if (moves(positions[k], at[static_cast<std::size_t>(nodes[k])])) return false;
+            for (std::size_t k = 0; k < shifts.size(); ++k)
+                if (moves(shifts[k], shifts_at[k])) return false;
+            return true;
+        }
+    };
 
     ContactSurface surface;
     bool self;
@@ -90,6 +118,8 @@ public:
     std::size_t obstacles;
     std::vector<SmoothObstacle> smooth;
     Friction friction;
+    double clearance_m = 0;  // the least of the pairs and obstacles of an evaluation
+    std::optional<Rest> rest;
 };
 
 double Potential::Parts::share_without_crossing(std::span<const Patch> from, std::span<const Vector3> shifts,
@@ -100,6 +130,9 @@ double Potential::Parts::share_without_crossing(std::span<const Patch> from, std
         if (approach > distance + deepest_in_sizes * size)
             share =
                 std::min(share, std::max(distance + deepest_in_sizes * size, least_step_in_sizes * size) / approach);
+    };
+    const auto way_m = [&](const SmoothObstacle& obstacle, const Point& x, const Point& next) {
+        return norm(difference(obstacle.seen(next, shifts_to), obstacle.seen(x, shifts)));
     };
     const auto size_of = [&](std::size_t i, std::size_t j) {
         const auto &entry = surface.entries()[i], &other = surface.entries()[j];
@@ -113,8 +146,12 @@ double Potential::Parts::share_without_crossing(std::span<const Patch> from, std
         std::vector<double> turning;
         for (const std::size_t j : near) turning.push_back(turning_m(from[j], to[j]));
         std::vector<const SmoothObstacle*> near_smooth;
-        for (const SmoothObstacle& obstacle : smooth)
-            if (obstacle.at(to[i].centre, shifts_to).value_m < to[i].radius_m) near_smooth.push_back(&obstacle);
+        for (const SmoothObstacle& obstacle : smooth) {
+            const double least =
+                0.5 * (obstacle.at(from[i].centre, shifts).value_m + obstacle.at(to[i].centre, shifts_to).value_m -
+                       way_m(obstacle, from[i].centre, to[i].centre));
+            if (least < std::max(from[i].radius_m, to[i].radius_m)) near_smooth.push_back(&obstacle);
+        }
         if (near.empty() && near_smooth.empty()) continue;
         for (std::size_t q = 0; q < entry.X.size(); ++q) {
             const Point x = from[i](entry.rule->xi[q]).x, next = to[i](entry.rule->xi[q]).x;
@@ -140,6 +177,16 @@ double Potential::Parts::share_without_crossing(std::span<const Patch> from, std
             for (const SmoothObstacle* obstacle : near_smooth) {
                 const double before = obstacle->at(x, shifts).value_m, after = obstacle->at(next, shifts_to).value_m;
                 if (after < 0) limit(before, before - after, entry.size_m);
+                const double way = way_m(*obstacle, x, next);
+                if (before <= 0 || after < 0 || before + after >= way) continue;
+                // The point may pass through an obstacle that is thinner than its way.
+                constexpr int samples = 32;
+                for (int k = 1; k < samples; ++k) {
+                    const double at = static_cast<double>(k) / samples;
+                    if (obstacle->on_the_way(x, next, at, shifts, shifts_to) >= 0) continue;
+                    share = std::min(share, std::max(at, least_step_in_sizes * entry.size_m / way));
+                    break;
+                }
             }
         }
     }
@@ -178,7 +225,19 @@ bool Potential::touches(std::span<const Point> positions, std::span<const Vector
                    positions, shifts, Wanted::gradient, take, [](const Block&) {}, rests)
             .touches();
     };
-    return touches_if(true) && touches_if(false);
+    // The distance of two points changes by at most twice their motion; the radius about a facet grows by three times that of its nodes.
+    constexpr double of_clearance = 0.2, of_harmless_step = 0.3;  // facets that are no candidates are farther apart
+    if (parts_->rest && parts_->rest->holds(nodes(), positions, shifts)) return false;
+    parts_->rest.reset();
+    parts_->clearance_m = std::numeric_limits<double>::max();
+    if (touches_if(true)) return touches_if(false);
+    const double motion_m = std::min(of_clearance * parts_->clearance_m, of_harmless_step * harmless_step_m());
+    if (motion_m <= 0) return false;
+    auto& rest = parts_->rest.emplace();
+    for (const mesh::Index node : nodes()) rest.positions.push_back(positions[static_cast<std::size_t>(node)]);
+    rest.shifts.assign(shifts.begin(), shifts.end());
+    rest.motion_m = motion_m;
+    return false;
 }
 
 Summary Potential::evaluate(std::span<const Point> positions, std::span<const Vector3> shifts, Wanted wanted,

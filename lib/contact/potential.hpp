@@ -1,10 +1,10 @@
 #pragma once
 /// Contact of the actuator with itself, with its mirror images and with rigid obstacles, as a potential of the current positions:
-///   E = sum_q w_q J_q k b(d_q),       k = stiffness_share E_0
-/// over the sample points q of all free facets, with w_q J_q their share of the deformed area (w_q of the undeformed one, 2 pi R included; J_q:
-/// area.hpp), E_0 Young's modulus of the facet's rubber without strain, and b the barrier (barrier.hpp) of the distance d_q to the other facets
-/// (features.hpp; w_q/2, because both sides count) or to an obstacle. The contact pressure is k |b'|, per deformed area; the gap left in contact
-/// is below the contact distance h. With the area changes a small tension k b of the surface, of the order of the pressure times h/4.
+///   E = sum_q w_q psi_q k b(d_q),       k = stiffness_share E_0
+/// over the sample points q of all free facets, with w_q their share of the undeformed area (2 pi R included), psi_q a factor that is 1 until the
+/// area has grown fourfold (area.hpp), E_0 Young's modulus of the facet's rubber without strain, and b the barrier (barrier.hpp) of the distance
+/// d_q to the other facets (features.hpp; w_q/2, because both sides count) or to an obstacle. The contact pressure is k |b'| psi per undeformed
+/// area; the gap left in contact is below the contact distance h.
 /// Facets are the curved facets of the mesh, and no term of the second derivatives is omitted.
 /// d_q is negative behind the facet, for points that have passed through it (has_passed_through in facet_contact.hpp): only Newton's
 /// iterates go there.
@@ -15,7 +15,7 @@
 /// which is not symmetric, and E contains what friction stores.
 /// Two sides of one wall or cell, and facets that share a node and are visible from one side (Volino), do not act on each other.
 /// Derived here; the idea of the potential: Li et al. 2020 (barrier.hpp), on curved facets as in M. Ferguson et al., High-order
-/// incremental potential contact, SIGGRAPH 2023. Tested by contact/potential_test and the verification suite (group Contact).
+/// incremental potential contact, SIGGRAPH 2023. Tested by contact/potential_test, ridge_test and thin_obstacle_test, and the verification suite (group Contact).
 #include <functional>
 #include <memory>
 #include <optional>
@@ -32,8 +32,7 @@ struct Summary {
     explicit Summary(std::size_t obstacles) : area_m2(obstacles + 1), pressure_Pa(obstacles + 1) {}
 
     double energy_J = 0;
-    std::vector<double>
-        area_m2;  ///< deformed area in contact, by obstacle, then with itself (mirror images included)
+    std::vector<double> area_m2;  ///< deformed area in contact, by obstacle, then with itself (mirror images included)
     std::vector<double> pressure_Pa;      ///< largest pressure on the deformed area, in the same order
     double max_pressure_Pa = 0;           ///< of all
     double dissipated_J = 0;              ///< by friction since the first step

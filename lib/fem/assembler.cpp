@@ -186,14 +186,22 @@ bool Assembler::add_contact(const Targets& to, Mat K, NewEntries entries) const 
     const auto wanted = K != nullptr ? contact::Wanted::hessian : contact::Wanted::gradient;
     if (K != nullptr) SOFT_PETSC(MatSetOption(K, MAT_NEW_NONZERO_ALLOCATION_ERR, PETSC_FALSE));
     int is_beyond = 0;
+    // All components of two nodes are coupled, or none: the first of each that is not fixed.
+    std::vector<PetscInt> first_free;
+    const auto of_nodes = [&first_free](std::span<const PetscInt> dofs,
+                                        std::size_t points) -> std::span<const PetscInt> {
+        first_free.assign(dofs.begin(), dofs.begin() + static_cast<std::ptrdiff_t>(points));
+        for (std::size_t k = points; k < dofs.size(); ++k)
+            if (first_free[k % points] < 0) first_free[k % points] = dofs[k];
+        return first_free;
+    };
     const auto add = [&](std::span<const PetscInt> dofs, const contact::Block& block) {
         const auto size = static_cast<PetscInt>(dofs.size());
         SOFT_PETSC(VecSetValues(to.R, size, dofs.data(), block.gradient.data(), ADD_VALUES));
         if (K == nullptr) return;
-        // All components of two nodes are coupled, or none.
-        if (!linalg::contains_block(K, dofs.first(block.points()))) {
+        if (entries == NewEntries::omit && !linalg::contains_block(K, of_nodes(dofs, block.points()))) {
             is_beyond = 1;
-            if (entries == NewEntries::omit) return;
+            return;
         }
         SOFT_PETSC(MatSetValues(K, size, dofs.data(), size, dofs.data(), block.hessian.data(), ADD_VALUES));
         for (const auto& column : to.columns) subtract_moved(column, dofs, block.hessian);

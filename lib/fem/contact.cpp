@@ -172,24 +172,25 @@ double Contact::share_without_crossing(Vec from, const LoadLevels& levels, Vec t
     return share;
 }
 
-bool Contact::couple(Vec x) {
-    if (potential_.is_empty()) return false;
+void Contact::couple(Vec x) {
+    if (potential_.is_empty()) return;
     state_.read(x);
-    return couple();
+    couple();
 }
 
-bool Contact::couple() {
-    std::vector<std::vector<PetscInt>> couplings;
-    if (evaluate(contact::Wanted::gradient, [](std::span<const PetscInt>, const contact::Block&) {}).touches())
+void Contact::couple() {
+    couplings_.clear();
+    int acts = 0;
+    static_cast<void>(
+        evaluate(contact::Wanted::gradient, [&](std::span<const PetscInt>, const contact::Block&) { acts = 1; }));
+    MPI_Allreduce(MPI_IN_PLACE, &acts, 1, MPI_INT, MPI_MAX, fe_.comm);
+    if (acts == 1)
         for (const auto& [first, second] : potential_.near_pairs(positions_, shifts_, nearly_in_contact)) {
             auto nodes = mesh::facet_nodes(fe_.input.mesh, first);
             const auto others = mesh::facet_nodes(fe_.input.mesh, second);
             nodes.insert(nodes.end(), others.begin(), others.end());
-            fe_.dofs.node_dofs(nodes, couplings.emplace_back());
+            fe_.dofs.node_dofs(nodes, couplings_.emplace_back());
         }
-    const bool changes = couplings != couplings_;
-    couplings_ = std::move(couplings);
-    return changes;
 }
 
 }  // namespace soft::fem

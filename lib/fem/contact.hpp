@@ -48,10 +48,9 @@ public:
 
     /// Unknowns of pairs of facets whose blocks the pattern of a matrix must contain.
     [[nodiscard]] const std::vector<std::vector<PetscInt>>& couplings() const noexcept { return couplings_; }
-    /// Sets the couplings to the pairs that are in contact or nearly so at the state last read; none without contact. Returns whether
-    /// they change.
-    bool couple();
-    bool couple(Vec x);  ///< at x, under the levels last prescribed
+    /// Sets the couplings to the pairs that are in contact or nearly so at the state last read; none without contact.
+    void couple();
+    void couple(Vec x);  ///< at x, under the levels last prescribed
 
 private:
     void read_positions();

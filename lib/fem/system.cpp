@@ -24,6 +24,9 @@ linalg::Matrix System::make_matrix() const {
 
 void System::renew(Mat K) const {
     Mat replacement = make_matrix().release();
+    MatNullSpace rigid_motions = nullptr;
+    SOFT_PETSC(MatGetNearNullSpace(K, &rigid_motions));
+    SOFT_PETSC(MatSetNearNullSpace(replacement, rigid_motions));
     SOFT_PETSC(MatHeaderReplace(K, &replacement));
 }
 

@@ -23,8 +23,9 @@ struct ObstacleInput {
     const design::Values& values;
     std::string path;  ///< "obstacles.table"
     model::Kinematics kinematics;
-    const mesh::Mesh& mesh;  ///< of the actuator
-    double far_m = 0;        ///< of a solid: profiles are extruded from z = -far_m to far_m
+    const mesh::Mesh& mesh;                 ///< of the actuator
+    double far_m = 0;                       ///< of a solid: profiles are extruded from z = -far_m to far_m
+    std::array<bool, 3> symmetry_planes{};  ///< x, y, z = 0 of the model, where known
 };
 using ObstacleSurface = decltype(model::Obstacle::shape);
 

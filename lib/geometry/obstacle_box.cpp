@@ -33,6 +33,10 @@ ObstacleSurface build(const ObstacleInput& input) {
         if (!(box.low[i] < box.high[i]))
             throw input.values.refuse(to, std::string{"its "} + "xyz"[i] + " is not greater than that of from",
                                       "from is the lowest corner, to the highest");
+        if (input.symmetry_planes[i] && box.low[i] <= 0 && box.high[i] >= 0) {  // with its mirror image
+            box.high[i] = std::max(box.high[i], -box.low[i]);
+            box.low[i] = -box.high[i];
+        }
         thinnest_m = std::min(thinnest_m, box.high[i] - box.low[i]);
     }
     if (const auto stated = input.values.numbers(radius); !stated.empty()) {

@@ -59,7 +59,12 @@ std::vector<model::Obstacle> make_obstacles(const design::Design& design, const 
         const auto friction = design.values.numbers(path_of(request.name) + ".friction");
         obstacle.friction = friction.empty() ? design.contact.friction : friction.front();
         if (own.storage == ObstacleStorage::design) {
-            obstacle.shape = own.build({design.values, path_of(request.name), shape.kinematics, mesh});
+            if (shape.obstacles.contains(request.name))
+                throw Error(ExitCode::bad_input, path_of(request.name),
+                            "the file contains this obstacle as an earlier version meshed it",
+                            "rebuild the case with mesh-gen");
+            obstacle.shape =
+                own.build({design.values, path_of(request.name), shape.kinematics, mesh, 0, shape.symmetry_planes});
             continue;
         }
         const auto stored = shape.obstacles.find(request.name);

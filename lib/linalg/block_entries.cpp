@@ -80,6 +80,7 @@ bool contains_block(Mat K, std::span<const PetscInt> dofs) {
     PetscInt begin = 0, end = 0, rest_columns = 0;
     SOFT_PETSC(MatGetOwnershipRange(K, &begin, &end));
     if (parts.rest != nullptr) SOFT_PETSC(MatGetSize(parts.rest, nullptr, &rest_columns));
+    if (rest_columns > 0 && parts.columns == nullptr) return false;  // in assembly
     const auto contains = [](const MatrixRows& rows, PetscInt row, PetscInt column) {
         return std::binary_search(rows.columns + rows.begin[row], rows.columns + rows.begin[row + 1], column);
     };

@@ -36,7 +36,7 @@ struct Shape {
     std::map<std::string, std::string> region_materials;
     std::map<std::string, Winding> region_fibers;  ///< by region name
     std::map<std::string, FacetedSurface>
-        obstacles;  ///< the obstacles that are not a plane, cylinder or sphere, by name
+        obstacles;  ///< the obstacles that are not a plane, cylinder, sphere or box, by name
 };
 
 /// The shape and the design with a smaller and a larger value of one number of the design, on a mesh of the same cells.

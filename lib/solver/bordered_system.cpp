@@ -123,6 +123,7 @@ void BorderedSystem::add_drag(const State& state, Mat matrix) {
 
 /// The linear solver and others keep the handle of K.
 void BorderedSystem::pattern_changed() {
+    couplings_ = system.contact().couplings();
     spare_ = {};
     linear.pattern_changed();
     if (differences_) differences_.emplace(system, K, settings.tangent);
@@ -133,7 +134,8 @@ void BorderedSystem::pattern_changed() {
 
 void BorderedSystem::couple_contact(const State& state) {
     system.prescribe(loads_->levels(state.load_factor, state.pressures_Pa));
-    if (!system.contact().couple(state.x)) return;
+    system.contact().couple(state.x);
+    if (system.contact().couplings() == couplings_) return;
     system.renew(K);
     pattern_changed();
 }

@@ -104,7 +104,8 @@ private:
     bool has_time_force_ = false;                // of those forces
     const StageLoads* loads_ = nullptr;
     bool loads_move_ = false;
-    linalg::Matrix spare_;  // for columns that need a tangent while K is kept
+    linalg::Matrix spare_;                          // for columns that need a tangent while K is kept
+    std::vector<std::vector<PetscInt>> couplings_;  // by contact, in the pattern of K
     std::optional<ResidualDifferences> differences_;
     std::optional<State> assembled_at_;                      // of the last evaluation, where it gave K
     std::vector<linalg::Vector> force_vectors_, gradients_;  // gradients of e_k, c by x

@@ -1,12 +1,24 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "contact/potential.hpp"
 #include "contact_samples.hpp"
 
 namespace soft::contact {
 namespace {
+
+model::Case with_contact(model::Case model) {
+    model.mesh.region_names = {"rubber"};
+    model.mesh.cell_regions.assign(model.mesh.cell_types.size(), 0);
+    model.path.contact = model::Contact::solve;
+    return model;
+}
+
+bool touches(const model::Case& model, const std::vector<mesh::Point>& positions) {
+    return Potential(model, std::array{1e6}).touches(positions, {}, [](mesh::Index) { return true; });
+}
 
 /// A flat surface that becomes a sharp ridge: each side is behind the other, with rubber between them. In a fold that has closed too far they are
 /// behind each other too, but each has passed through the other.
@@ -15,21 +27,53 @@ TEST(Ridge, ItsSidesDoNotTouchEachOther) {
         for (const auto kinematics : {model::Kinematics::plane_strain, model::Kinematics::solid}) {
             const int dimension = kinematics == model::Kinematics::solid ? 3 : 2;
             const auto strip = test::block(dimension, test::box({-1, 1}, {-1, 0}, {0, 1}), {2, 1, 1}, "strip");
-            model::Case model = test::make_case(test::as(cells, strip), kinematics);
-            model.mesh.region_names = {"rubber"};
-            model.mesh.cell_regions.assign(model.mesh.cell_types.size(), 0);
-            model.path.contact = model::Contact::solve;
-            const auto touches = [&](double width, double deeper, double height) {
+            const model::Case model = with_contact(test::make_case(test::as(cells, strip), kinematics));
+            const auto touches_at = [&](double width, double deeper, double height) {
                 auto positions = model.mesh.points;
                 for (mesh::Point& x : positions)
                     x = {x[0] * (width - deeper * x[1]), x[1] + height * std::abs(x[0]), x[2]};
-                return Potential(model, std::array{1e6}).touches(positions, {}, [](mesh::Index) { return true; });
+                return touches(model, positions);
             };
-            EXPECT_FALSE(touches(0.5, 0, -2)) << test::cells_name(cells);
-            EXPECT_FALSE(touches(0.3, 0, -2)) << test::cells_name(cells);
-            EXPECT_FALSE(touches(0.3, 0.7, 2)) << test::cells_name(cells);
-            EXPECT_TRUE(touches(-0.02, 1.02, 2)) << test::cells_name(cells);
+            EXPECT_FALSE(touches_at(0.5, 0, -2)) << test::cells_name(cells);
+            EXPECT_FALSE(touches_at(0.3, 0, -2)) << test::cells_name(cells);
+            EXPECT_FALSE(touches_at(0.3, 0.7, 2)) << test::cells_name(cells);
+            EXPECT_TRUE(touches_at(-0.02, 1.02, 2)) << test::cells_name(cells);
         }
+}
+
+/// The area of an incompressible wall grows as its thickness falls: its sides, with four cells between them, approach each other through rubber.
+TEST(Wall, ItsSidesDoNotTouchWhenItIsStretched) {
+    for (const auto kinematics : {model::Kinematics::axisymmetric, model::Kinematics::solid}) {
+        const bool solid = kinematics == model::Kinematics::solid;
+        const auto wall = test::block(solid ? 3 : 2, test::box({0, 1}, {1, 1.4}, {0, 1}), {2, 4, 2}, "wall");
+        const model::Case model = with_contact(test::make_case(wall, kinematics));
+        for (const double stretch : {2.0, solid ? 3.0 : 5.0}) {
+            const double radius = solid ? 1 : stretch, depth = solid ? stretch : 1, thinner = 1 / (stretch * stretch);
+            auto positions = model.mesh.points;
+            for (mesh::Point& x : positions) x = {stretch * x[0], radius + thinner * (x[1] - 1), depth * x[2]};
+            EXPECT_FALSE(touches(model, positions)) << solid << ' ' << stretch;
+        }
+    }
+}
+
+/// The side of a web lies in one plane with a point of the outer surface of the wall above it. When the wall turns, that point is behind the
+/// side's plane, with rubber between them.
+TEST(Wall, ItsWebDoesNotTouchItWhenItTurns) {
+    test::MeshBuilder builder(2);
+    for (const auto& [x, y] :
+         {std::pair{test::Interval{-1, 0}, test::Interval{-4, 0}}, {{-1, 0}, {0, 1}}, {{0, 6}, {0, 1}}})
+        builder.add_block(test::box(x, y), 1, 1, 1);
+    const mesh::Mesh mesh = builder.take();
+    const double angle = 40 * std::numbers::pi / 180;
+    std::vector<mesh::Point> positions = mesh.points;
+    for (mesh::Point& x : positions) {
+        if (x[1] < 0) continue;
+        const double right = std::max(x[0], 0.0), share = std::min(1 + x[0], 1.0);  // of the turn, over the web
+        const mesh::Point turned{std::cos(angle) * right - std::sin(angle) * x[1],
+                                 std::sin(angle) * right + std::cos(angle) * x[1], 0};
+        x = {std::lerp(-1, turned[0], share), std::lerp(x[1], turned[1], share), 0};
+    }
+    EXPECT_FALSE(touches(with_contact(test::make_case(mesh, model::Kinematics::plane_strain)), positions));
 }
 
 }  // namespace
