@@ -4,6 +4,9 @@ namespace soft::contact {
 
 namespace {
 
+/// Radius over the size of a facet.
+constexpr double on_the_axis = 1e-9;
+
 Vector3 unit_vector(std::size_t i) {
     Vector3 e{};
     e[i] = 1;
@@ -18,6 +21,14 @@ std::size_t place(const Block& block, const AreaStretch& stretch, std::size_t p)
 
 }  // namespace
 
+double area_stretch(const Patch& undeformed, const Patch& now, const surface::FacetPoint& xi, bool is_revolved) {
+    const auto before = undeformed(xi), at = now(xi);
+    const double along = norm(cross(at.t1, at.t2)) / norm(cross(before.t1, before.t2));
+    if (!is_revolved) return along;
+    const bool on_axis = before.x[1] <= on_the_axis * norm(before.t1);
+    return along * (on_axis ? along : at.x[1] / before.x[1]);
+}
+
 AreaFactor area_factor(double stretch) {
     constexpr double full = 4;
     const double u = stretch / full - 1, below = 1 + u * u;
@@ -29,16 +40,15 @@ AreaFactor area_factor(double stretch) {
 AreaStretch area_stretch(const ContactSurface::Entry& entry, const Patch& now, std::size_t q,
                          const ContactSurface& surface, Wanted wanted) {
     AreaStretch stretch;
-    if (entry.weight_m2[q] == 0) return stretch;
+    stretch.stretch = area_stretch(entry.undeformed, now, entry.rule->xi[q], surface.is_revolved());
+    const AreaFactor factor = area_factor(stretch.stretch);
+    stretch.factor = factor.value;
+    if (factor.by_stretch == 0 || entry.weight_m2[q] == 0) return stretch;
     const auto before = entry.undeformed(entry.rule->xi[q]), at = now(entry.rule->xi[q]);
     const Vector3 c = cross(at.t1, at.t2);
     const double length = norm(c), undeformed = norm(cross(before.t1, before.t2)),
                  ratio = surface.is_revolved() ? at.x[1] / before.x[1] : 1,
                  by_radius_1_m = surface.is_revolved() ? 1 / before.x[1] : 0;
-    stretch.stretch = ratio * length / undeformed;
-    const AreaFactor factor = area_factor(stretch.stretch);
-    stretch.factor = factor.value;
-    if (factor.by_stretch == 0) return stretch;
     const std::size_t n = entry.nodes.size(), dimension = surface.dimension(), size = n * dimension;
     const Vector3 m = along({}, 1 / length, c);
     std::array<std::array<Vector3, 3>, 2> dc{};  // by each component of the first tangent, and of the second

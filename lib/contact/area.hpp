@@ -12,6 +12,10 @@
 
 namespace soft::contact {
 
+/// Deformed over undeformed area of a facet at xi.
+[[nodiscard]] double area_stretch(const Patch& undeformed, const Patch& now, const surface::FacetPoint& xi,
+                                  bool is_revolved);
+
 struct AreaFactor {
     double value = 1, by_stretch = 0, second_by_stretch = 0;
 };
@@ -19,10 +23,11 @@ struct AreaFactor {
 
 /// psi with its derivatives by the positions of the facet's nodes.
 struct AreaStretch {
-    double stretch = 1;  ///< J; 1 on the axis of a body of revolution, where sample points have no area
-    double factor = 1;
-    std::vector<double> gradient;  ///< [1/m] [component][node]; empty where the factor is constant
-    std::vector<double> hessian;   ///< [1/m^2] square, row-major; empty if not wanted
+    double stretch = 1, factor = 1;  ///< J, psi
+    std::vector<double>
+        gradient;                 ///< [1/m] [component][node]; empty where the factor is constant, and on the axis of a
+                                  ///< body of revolution, where sample points have no area
+    std::vector<double> hessian;  ///< [1/m^2] square, row-major; empty if not wanted
 };
 
 /// `now`: the facet of `entry`.

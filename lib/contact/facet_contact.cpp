@@ -40,14 +40,6 @@ bool is_behind(const Feature& feature, std::span<const Patch> patches, const Poi
 
 }  // namespace
 
-double area_stretch(const Patch& undeformed, const Patch& now, const surface::FacetPoint& xi, bool is_revolved) {
-    const auto before = undeformed(xi), at = now(xi);
-    const double along = norm(cross(at.t1, at.t2)) / norm(cross(before.t1, before.t2));
-    if (!is_revolved) return along;
-    const bool on_axis = before.x[1] <= same_point * norm(before.t1);
-    return along * (on_axis ? along : at.x[1] / before.x[1]);
-}
-
 bool has_passed_through(const Approach& from, const ClosestPoint& closest, bool faces) {
     const auto& [entry, q, now, other, patch, is_revolved] = from;
     const Patch& undeformed = other.undeformed;

@@ -30,10 +30,6 @@ struct Approach {
 /// faces it and is closer than rubber between them can be, which becomes thinner as the area of its sides grows.
 [[nodiscard]] bool has_passed_through(const Approach& from, const ClosestPoint& closest, bool faces);
 
-/// Deformed over undeformed area of a facet at xi.
-[[nodiscard]] double area_stretch(const Patch& undeformed, const Patch& now, const surface::FacetPoint& xi,
-                                  bool is_revolved);
-
 /// An obstacle with a smooth surface, or a mirror plane (index -1).
 struct SmoothObstacle {
     int index = -1;
