@@ -15,7 +15,7 @@
 /// which is not symmetric, and E contains what friction stores.
 /// Two sides of one wall or cell, and facets that share a node and are visible from one side (Volino), do not act on each other.
 /// Derived here; the idea of the potential: Li et al. 2020 (barrier.hpp), on curved facets as in M. Ferguson et al., High-order
-/// incremental potential contact, SIGGRAPH 2023. Tested by contact/potential_test, ridge_test and thin_obstacle_test, and the verification suite (group Contact).
+/// incremental potential contact, SIGGRAPH 2023. Tested by contact/potential_test, ridge_test, obstacle_test and the verification suite.
 #include <functional>
 #include <memory>
 #include <optional>

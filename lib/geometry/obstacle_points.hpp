@@ -11,8 +11,8 @@ struct OwnPoint {
     mesh::Point point;
     double radius_m;
 };
-/// The centre of a sphere, points on the axis of a cylinder and on the edges of a box, vertices and points on edges of a faceted obstacle (up to 5000); those in the bounding
-/// box of the mesh, and on its side of the mirror planes. None for a plane and where the actuator is inside.
+/// The centre of a sphere, points on the axis of a cylinder and on the edges of a box, vertices and points on edges of a faceted obstacle (up
+/// to 5000); those in the bounding box of the mesh, and on its side of the mirror planes. None for a plane and where the actuator is inside.
 [[nodiscard]] std::vector<OwnPoint> own_points(const model::Obstacle& obstacle, const model::Case& model);
 
 }  // namespace soft::geometry

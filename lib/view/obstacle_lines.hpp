@@ -1,6 +1,6 @@
 #pragma once
-/// Lines that show the rigid obstacles of a case in pictures: grids on planes, circles and generators of cylinders and spheres, outlines of boxes, edges of
-/// faceted surfaces. An obstacle of a section of revolution is revolved unless the section itself is drawn. Used by view/picture.hpp.
+/// Lines that show the rigid obstacles of a case in pictures: grids on planes, circles and generators of cylinders and spheres, outlines of
+/// boxes, edges of faceted surfaces. An obstacle of a section of revolution is revolved unless the section itself is drawn. Used by view/picture.hpp.
 /// Tested by view/obstacle_lines_test.
 #include <array>
 #include <vector>
