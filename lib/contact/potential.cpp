@@ -7,6 +7,7 @@
 #include "contact/candidates.hpp"
 #include "contact/facet_contact.hpp"
 #include "contact/friction.hpp"
+#include "contact/rest.hpp"
 #include "contact/separation.hpp"
 #include "surface/free_facets.hpp"
 
@@ -91,26 +92,6 @@ public:
     [[nodiscard]] double share_without_crossing(std::span<const Patch> from, std::span<const Vector3> shifts,
                                                 std::span<const Patch> to, std::span<const Vector3> shifts_to);
 
-    /// What touches() knows: nothing touches while no node moves farther than this from these positions.
-    struct Rest {
-        std::vector<Point> positions;
-        std::vector<Vector3> shifts;
-        double motion_m = 0;
-
-        [[nodiscard]] bool holds(std::span<const mesh::Index> nodes, std::span<const Point> at,
-                                 std::span<const Vector3> shifts_at) const {
-            const auto moves = [this](const Vector3& from, const Vector3& to) {
-                const Vector3 motion = difference(to, from);
-                return dot(motion, motion) > motion_m * motion_m;
-            };
-            for (std::size_t k = 0; k < nodes.size(); ++k)
-                if (moves(positions[k], at[static_cast<std::size_t>(nodes[k])])) return false;
-            for (std::size_t k = 0; k < shifts.size(); ++k)
-                if (moves(shifts[k], shifts_at[k])) return false;
-            return true;
-        }
-    };
-
     ContactSurface surface;
     bool self;
     Candidates candidates;
@@ -118,8 +99,8 @@ public:
     std::size_t obstacles;
     std::vector<SmoothObstacle> smooth;
     Friction friction;
-    double clearance_m = 0;  // the least of the pairs and obstacles of an evaluation
-    std::optional<Rest> rest;
+    double clearance_m = 0;    // the least of the pairs and obstacles of an evaluation
+    std::optional<Rest> rest;  // what touches() knows
 };
 
 double Potential::Parts::share_without_crossing(std::span<const Patch> from, std::span<const Vector3> shifts,
@@ -233,10 +214,8 @@ bool Potential::touches(std::span<const Point> positions, std::span<const Vector
     if (touches_if(true)) return touches_if(false);
     const double motion_m = std::min(of_clearance * parts_->clearance_m, of_harmless_step * harmless_step_m());
     if (motion_m <= 0) return false;
-    auto& rest = parts_->rest.emplace();
-    for (const mesh::Index node : nodes()) rest.positions.push_back(positions[static_cast<std::size_t>(node)]);
-    rest.shifts.assign(shifts.begin(), shifts.end());
-    rest.motion_m = motion_m;
+    parts_->rest = Rest{{}, {shifts.begin(), shifts.end()}, motion_m};
+    for (const mesh::Index node : nodes()) parts_->rest->positions.push_back(positions[static_cast<std::size_t>(node)]);
     return false;
 }
 
