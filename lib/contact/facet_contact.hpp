@@ -24,10 +24,10 @@ struct Approach {
     bool is_revolved;
 };
 
-/// Whether the point, which is behind its closest point on the facet, has passed through it. In the undeformed state it was in front of it, and
-/// faced it through air then or does now (two parts of a concave surface do not, and a fold puts one behind the other); or in its plane without
-/// rubber between them, and now faces it, with its own cell in front of the facet (beside a ridge the cell is behind it); or behind it, and now
-/// faces it and is closer than rubber between them can be, which becomes thinner as the area of its sides grows.
+/// Whether the point, which is behind its closest point on the facet, has passed through it. In the undeformed state it was in front of it
+/// without rubber between them, and faced it then or does now (two parts of a concave surface do not, and a fold puts one behind the other); or
+/// in its plane without rubber between them, and now faces it, with its own cell in front of the facet (beside a ridge the cell is behind it);
+/// or it now faces it and is closer than rubber between them can be, which becomes thinner as the area of its sides grows.
 [[nodiscard]] bool has_passed_through(const Approach& from, const ClosestPoint& closest, bool faces);
 
 /// An obstacle with a smooth surface, or a mirror plane (index -1).

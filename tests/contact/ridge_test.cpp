@@ -76,5 +76,28 @@ TEST(Wall, ItsWebDoesNotTouchItWhenItTurns) {
     EXPECT_FALSE(touches(with_contact(test::make_case(mesh, model::Kinematics::plane_strain)), positions));
 }
 
+/// The lower side of a neck is in front of the face above the neck, with rubber between them. When the neck is stretched and turned down, that side
+/// is behind the face.
+TEST(Wall, ItsStepDoesNotTouchTheFarSideOfTheNeck) {
+    test::MeshBuilder builder(2);
+    for (const auto& [x, y] :
+         {std::pair{test::Interval{-1, 0}, test::Interval{0, 1}}, {{-1, 0}, {1, 2}}, {{0, 3}, {0, 1}}})
+        builder.add_block(test::box(x, y), 1, 1, 1);
+    const mesh::Mesh mesh = builder.take();
+    for (const double degrees : {60.0, 70.0, 80.0}) {
+        const double angle = degrees * std::numbers::pi / 180, thinner = 0.3;
+        std::vector<mesh::Point> positions = mesh.points;
+        for (mesh::Point& x : positions) {
+            if (x[1] > 1) continue;
+            const double right = std::max(x[0], 0.0), up = thinner * (x[1] - 1), share = std::min(1 + x[0], 1.0);
+            const mesh::Point turned{std::cos(angle) * right + std::sin(angle) * up,
+                                     1 - std::sin(angle) * right + std::cos(angle) * up, 0};
+            x = {std::lerp(-1, turned[0], share), std::lerp(x[1], turned[1], share), 0};
+        }
+        EXPECT_FALSE(touches(with_contact(test::make_case(mesh, model::Kinematics::plane_strain)), positions))
+            << degrees;
+    }
+}
+
 }  // namespace
 }  // namespace soft::contact
