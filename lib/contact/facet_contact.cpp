@@ -50,14 +50,16 @@ bool has_passed_through(const Approach& from, const ClosestPoint& closest, bool 
     const auto own = entry.undeformed(entry.rule->xi[q]);
     const Vector3 outward = cross(own.t1, own.t2);
     const bool through_rubber = dot(arm, outward) > off_m * norm(outward);
-    if (height > off_m && !through_rubber) return faces || dot(n, outward) < 0;
+    const bool was_in_front = height > off_m;
+    if (was_in_front && !through_rubber && (faces || dot(n, outward) < 0)) return true;
+    if (!faces) return was_in_front && closest.is_interior && closest.distance_m < entry.h_m[q];
     const double stretch = std::max(area_stretch(entry.undeformed, now, entry.rule->xi[q], is_revolved),
                                     area_stretch(undeformed, patch, closest.xi, is_revolved));
     const double thinnest_m = least_compression * before.distance_m / std::max(1.0, stretch);
     const auto now_at = patch(closest.xi);
     const bool leads_through = dot(difference(now.cell_centre, now_at.x), cross(now_at.t1, now_at.t2)) > 0;
     const bool beside_it = std::abs(height) <= off_m && !through_rubber;
-    return faces && ((beside_it && leads_through) || closest.distance_m < thinnest_m);
+    return (beside_it && leads_through) || closest.distance_m < thinnest_m;
 }
 
 FacetContact::FacetContact(const ContactState& at, std::size_t facet, std::span<const std::size_t> others,

@@ -27,7 +27,8 @@ struct Approach {
 /// Whether the point, which is behind its closest point on the facet, has passed through it. In the undeformed state it was in front of it
 /// without rubber between them, and faced it then or does now (two parts of a concave surface do not, and a fold puts one behind the other); or
 /// in its plane without rubber between them, and now faces it, with its own cell in front of the facet (beside a ridge the cell is behind it);
-/// or it now faces it and is closer than rubber between them can be, which becomes thinner as the area of its sides grows.
+/// or it now faces it and is closer than rubber between them can be, which becomes thinner as the area of its sides grows; or it was in front of
+/// it and is less than h behind its interior: at an edge of the body, of which another side faces the facet.
 [[nodiscard]] bool has_passed_through(const Approach& from, const ClosestPoint& closest, bool faces);
 
 /// An obstacle with a smooth surface, or a mirror plane (index -1).
