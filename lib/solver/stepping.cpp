@@ -18,6 +18,9 @@ constexpr double predictor_error_limit = 0.5;
 constexpr double coarse_curve = 2.0;
 /// Below this predictor error the state belongs to the same branch.
 constexpr double predictor_error_without_jump = 0.05;
+/// In contact, or with fibres, other branches are closer. Up to this error a change of the inertia is a bifurcation: refusing it would let the
+/// path approach it in ever shorter steps.
+constexpr double error_on_the_branch = 1e-4;
 /// On a smooth path the tangent's error falls with the step, which is cut to 0.4 between two attempts.
 constexpr double error_at_a_kink = 0.8;
 /// The curve between two rows is the cubic through them: its load error is controlled as well, with this weight.
@@ -126,7 +129,7 @@ bool is_refused(const fem::System& system, const PathState& path, const Predicto
     const bool may_leave_branch = kind == ConstraintKind::arc
                                       ? may_have_kinks(system, *path.last)
                                       : kind != ConstraintKind::load_factor && path.last->touches;
-    if (may_leave_branch && path.attempts.failures < failures_before_kink) {
+    if (may_leave_branch && error.state > error_on_the_branch && path.attempts.failures < failures_before_kink) {
         const auto before = branch_index(path, *path.last), here = branch_index(path, point);
         if (before && here && (*before - *here) % 2 != 0) return true;
     }
