@@ -9,7 +9,7 @@
 namespace soft::contact {
 
 /// Positions at which nothing touched: nothing touches while no node and no obstacle has moved farther than motion_m from them.
-/// Configuration: deformed, m. Private to the module. Tested by contact/obstacle_test.
+/// Configuration: deformed, m. Private to the module. Tested by contact/potential_test.
 struct Rest {
     std::vector<mesh::Point> positions;  // of the nodes of the contact surface
     std::vector<Vector3> shifts;         // of the obstacles

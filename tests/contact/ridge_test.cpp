@@ -99,5 +99,28 @@ TEST(Wall, ItsStepDoesNotTouchTheFarSideOfTheNeck) {
     }
 }
 
+/// An acute edge, one side of which does not face the plate below, passes through the plate's surface: the energy has no jump.
+TEST(Edge, PressesOnAPlateWithoutAJump) {
+    test::MeshBuilder builder(2);
+    for (const auto& [x, y] : {std::pair{test::Interval{-2, 3}, test::Interval{-1, 0}}, {{0, 1}, {1, 2}}})
+        builder.add_block(test::box(x, y), 1, 1, 1);
+    const model::Case model = with_contact(test::make_case(builder.take(), model::Kinematics::plane_strain));
+    Potential potential(model, std::array{1e6});
+    const auto energy_J = [&](double gap) {
+        auto positions = model.mesh.points;
+        for (mesh::Point& x : positions)
+            if (x[1] > 0.5) {
+                const double left = 1 - x[0], up = x[1] - 1;
+                x = {1 - 2 * left - 0.8 * up, gap + 0.3 * left + 1.4 * up, 0};
+            }
+        return potential
+            .evaluate(
+                positions, {}, Wanted::gradient, [](mesh::Index) { return true; }, [](const Block&) {})
+            .energy_J;
+    };
+    EXPECT_GT(energy_J(1e-9), 0);
+    EXPECT_NEAR(energy_J(-1e-9), energy_J(1e-9), 1e-5 * energy_J(1e-9));
+}
+
 }  // namespace
 }  // namespace soft::contact
