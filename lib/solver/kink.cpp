@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesh/mesh.hpp"
+#include "solver/stepping.hpp"
 
 namespace soft::solver {
 
@@ -115,7 +116,7 @@ std::optional<PathPoint> point_along(Corrector& corrector, const PathState& path
     if (!tangent) return std::nullopt;
     const double cosine = linalg::dot(tangent->x, turned.x);
     if (std::abs(cosine) < roughly_along || !turns_within(path, step, turned, guess.x)) return std::nullopt;
-    if (cosine < 0.0 && (path.begins_stage() || !corrector.system().has_kinks())) return std::nullopt;
+    if (cosine < 0.0 && (path.begins_stage() || !may_have_kinks(corrector.system(), *path.last))) return std::nullopt;
     if (cosine < 0.0) scale(*tangent, -1.0);
     return corrector.measure(frame_of(path), std::move(guess), std::move(*tangent));
 }
@@ -144,9 +145,8 @@ std::optional<PathPoint> pass_kink(Corrector& corrector, const PathState& path, 
         const double step = failed_step * std::pow(shorter_reach, attempt);
         const State beyond = moved(path.last->state, step, path.last->tangent);
         const double along = along_new_direction * std::abs(step) * linalg::norm(path.last->tangent.x);
-        // Contact forces have a potential with two derivatives: K is symmetric, so that the count of pivots gives the sense.
         auto turned = oriented_direction(corrector, path, beyond);
-        if (turned && corrector.system().has_kinks() &&
+        if (turned && may_have_kinks(corrector.system(), *path.last) &&
             !find_consistent_direction(corrector, path, beyond, along, *turned))
             if (auto between = piece_between(corrector, path, step, *turned)) {
                 turned = std::move(between);

@@ -135,11 +135,14 @@ std::optional<Stop> stop_at_row(const PathState& path, fem::System& system) {
         return Stop{StopReason::limit_point, std::move(returned)};
     }
     if (is_out_of_reach(path, input.path.stretch_limit)) return Stop{StopReason::limit_point, asymptote_text(here)};
-    if (is_past_limit_point(path) && path.stretch_p99 > input.path.stretch_limit)
+    const double limit = input.path.stretch_limit;
+    const bool at_a_point = path.max_stretch > far_beyond * limit;  // as where a bulge grows in a single cell
+    if (is_past_limit_point(path) && (path.stretch_p99 > limit || at_a_point))
         return Stop{StopReason::limit_point,
-                    "the requested load is never reached: the path is past the limit point, and the stretch exceeds "
-                    "path.stretch_limit at " +
-                        here + end_earlier};
+                    "the requested load is never reached: the path is past the limit point, and the stretch exceeds " +
+                        (path.stretch_p99 > limit ? std::string("path.stretch_limit")
+                                                  : short_text(far_beyond) + " times path.stretch_limit at a point") +
+                        " at " + here + end_earlier};
     return std::nullopt;
 }
 

@@ -52,6 +52,7 @@ struct PathState {
     int rows = 0;
     double dissipated_J = 0;  ///< set free by snaps, of the modelled part
     double stretch_p99 = 1;   ///< of the last row
+    double max_stretch = 1;   ///< of the last row
     double min_jacobian = 1;  ///< of the last row
     double size = 0;          ///< largest norm of the unknowns at a row
     bool on_branch = false;

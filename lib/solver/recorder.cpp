@@ -64,6 +64,7 @@ void Recorder::append(PathState& path, PathPoint& point) {
     if (sensitivities_ != nullptr) sensitivities_->evaluate(corrector_, path, point, step);
     if (point.is_singular) std::ranges::fill(step.derivatives, model::no_derivative);
     path.stretch_p99 = step.stretch_p99;
+    path.max_stretch = step.max_stretch;
     path.min_jacobian = step.min_jacobian;
     path.visited.push_back(visited_state(point, direction));
     ++path.rows;

@@ -20,7 +20,7 @@ constexpr double goal_tolerance = 1e-6;
 constexpr double max_slope_ratio = 0.35;
 /// Relative growth of the load, over the remaining load, for a doubling of the displacements: with less growth the load is never reached.
 constexpr double max_asymptotic_growth = 1e-3;
-/// Far beyond the stretch limit: if the growth of the load decays with at least this power, the extrapolated growth must stay below this
+/// Far beyond the stretch limit, which no rubber reaches at any point: if the growth of the load decays with at least this power, the extrapolated growth must stay below this
 /// fraction of the remaining load.
 constexpr double far_beyond = 10, min_power = 0.4, reachable = 0.6;
 /// Largest det F of a cell that is about to invert.
@@ -128,7 +128,9 @@ Verdict confirm_limit_point(const io::Result& result) {
         for (double& value : controlled) value = -value;
     const double tolerance = result.model.solver.residual_tolerance;
     const std::size_t top = maximum(factors, tolerance);
-    if (top + 1 < n && result.steps.back().stretch_p99 > result.model.path.stretch_limit)
+    const Step& end = result.steps.back();
+    if (top + 1 < n && (end.stretch_p99 > result.model.path.stretch_limit ||
+                        end.max_stretch > far_beyond * result.model.path.stretch_limit))
         return {top > 0 && factors[top] < 1, "the load has its maximum, " + text(factors[top]) +
                                                  " of the full load, in row " + std::to_string(top) + " of " +
                                                  std::to_string(n - 1)};

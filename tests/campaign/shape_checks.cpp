@@ -184,8 +184,8 @@ namespace {
 
 /// Points of a grid on a facet, its edges and corners included.
 std::vector<surface::FacetPoint> grid_points(mesh::CellType facet) {
-    constexpr int samples = 8;
     const mesh::Shape shape = mesh::topology(facet).shape;
+    const int samples = shape == mesh::Shape::line ? 256 : 32;
     const bool simplex = shape == mesh::Shape::triangle;
     std::vector<surface::FacetPoint> points;
     for (int i = 0; i <= samples; ++i)

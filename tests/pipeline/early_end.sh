@@ -69,6 +69,13 @@ runs "$plate | solve -q | postprocess -q --at deflection=2mm -o near.csv"
 runs "$plate --set loads.bottom.pressure=1GPa | solve -q | postprocess -q --at deflection=2mm -o far.csv"
 claim "a requested load of 1 GPa gives the same plate curve as 2 kPa" within "$(awk -v a="$(column pressure_kPa near.csv)" -v b="$(column pressure_kPa far.csv)" 'BEGIN { print a / b }')" 0.995 1.005
 
+# Past its limit point a single cell at the axis would grow without end, while the rest of the sphere shrinks.
+run "mesh-gen -q designs/sphere.yaml --set geometry.inner_radius=12.743mm --set geometry.outer_radius=13.063mm --set mesh.size=0.637mm --set mesh.formulation=f-bar --set mesh.order=1 --set 'material={law: ogden, mu: 39.51 kPa, alpha: 1.2946, kappa: 310.87 kPa, volumetric: log}' --set loads.cavity.pressure=14.8kPa --set path={} | solve -q --json spot.json -o spot.h5"
+claim "a spot that grows past the limit point ends the path early" exits 2
+claim "the message gives the reason" has '*past the limit point, and the stretch exceeds 10 times path.stretch_limit at a point*' spot.json detail
+postprocess -q spot.h5 -o spot.csv
+claim "the path ends at a stretch that no rubber reaches, before it is meaningless" within "$(column max_stretch spot.csv | tail -n 1)" 100 1000
+
 # Past its limit point the path of a thin tube stalls; more steps do not help.
 run "mesh-gen -q designs/tube.yaml --set geometry.length=74.687mm --set geometry.outer_radius=6.45655mm --set geometry.inner_radius=5.73489mm --set geometry.cap=0.806878mm --set mesh.size=1.49374mm --set 'material={law: neo-hookean, mu: 847.202 kPa, kappa: 435.516 MPa}' --set loads.cavity.pressure=116kPa --set path={} | solve -q --json stall.json -o stall.h5"
 claim "a path that stalls past its maximum ends early" exits 2
