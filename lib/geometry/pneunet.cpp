@@ -112,15 +112,22 @@ constexpr int min_through = 2;
 
 /// The stress is singular at the edges of cavities and slots. Largest errors of the bend and of the change of volume, of nine shapes
 /// (walls of 1 to 2.5 mm, chambers 8 to 20 mm long, 12 to 25 mm high, 16 to 30 mm wide): normal 1 %, draft 5 % and 11 %, fine 0.4 %.
-/// One cell through the walls has the bend within 1 % too, but the walls bulge 2 to 3 % too far, so that chambers touch too early.
+/// One cell through a wall has the bend within 1 % too, but the wall bulges 2 to 3 % too far, so that chambers touch too early; sides and
+/// roofs with a short span hardly bulge.
 meshing::Spacing spacing_of(const Shape& shape, const CellSize& size, const design::Values& values) {
-    constexpr double growth = 2.5, fine_edges = 3;
+    constexpr double growth = 2.5, fine_edges = 3, short_span = 3, stretch = 1.5;
     const double quality = quality_factor(values), thinnest_m = std::min({shape.wall_m, shape.side_m, shape.roof_m});
     const double edge_m = std::min(size.length_m(), thinnest_m / (quality > 1 ? fine_edges : quality));
     const double stated_grading = values.number("mesh.grading");
-    meshing::Spacing spacing{
-        size.length_m(), {min_through, min_through, min_through}, size.length_m() / edge_m, growth};
-    if (quality < 1) spacing.min_cells = {2, 1, 1};
+    const double span_m = shape.chamber_m - 2 * shape.wall_m;
+    const auto through = [&](double thickness_m) {
+        return quality < 1 || (quality == 1 && span_m < short_span * thickness_m) ? 1 : min_through;
+    };
+    meshing::Spacing spacing{size.length_m(),
+                             {min_through, through(shape.side_m), through(shape.roof_m)},
+                             size.length_m() / edge_m,
+                             growth,
+                             quality == 1 ? stretch : 1};
     if (stated_grading > 0) spacing.grading = stated_grading;
     if (const int through = values.count("mesh.through_wall"); through > 0)
         spacing.min_cells = {through, through, std::max(1, through - 1)};
@@ -214,7 +221,7 @@ Family pneunet() {
     design::Key min_cells = through_wall_key();
     min_cells.meaning =
         "minimum number of cells between neighbouring planes of the body, through walls and across slots; one fewer along z; "
-        "auto: 2 (draft 1 along y and z)";
+        "auto: 2, and 1 along y and z for draft and where sides and roofs span less than three times their thickness";
     min_cells.min = 1;
     design::Key grading = grading_key("auto");
     grading.choices = {"auto"};

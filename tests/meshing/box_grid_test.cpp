@@ -69,6 +69,9 @@ TEST(GrowingShares, BeginAtTheSharpEndsAndGrowUpToTheSize) {
     expect_lengths(1.5, {true, true}, {0.75, 0.75});  // two of 1 are enough
     expect_lengths(12, {false, false}, {4, 4, 4});
     EXPECT_EQ(growing_shares(1, 3, spacing, {true, true}).size(), 3u);
+    const Spacing stretched{4, {1, 1, 1}, 4, 2, 1.5};
+    EXPECT_EQ(growing_shares(1.5, 1, stretched, {true, true}).size(), 1u);
+    EXPECT_EQ(growing_shares(1.6, 1, stretched, {true, true}).size(), 2u);
 }
 
 TEST(BoxGrid, CountsTheCellsOfGrowingLengths) {
