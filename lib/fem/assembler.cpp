@@ -46,7 +46,7 @@ Evaluation Assembler::evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, st
     SOFT_PETSC(VecSetOption(R, VEC_IGNORE_NEGATIVE_INDICES, PETSC_TRUE));  // R may be created by a PETSc solver
     SOFT_PETSC(VecZeroEntries(R));
     for (const auto& column : columns) SOFT_PETSC(VecZeroEntries(column.out));
-    if (K != nullptr) SOFT_PETSC(MatZeroEntries(K));
+    if (K != nullptr) linalg::zero_entries(K, thread_count(fe_.input.solver.threads));
     Evaluation result;
     result.min_jacobian = std::numeric_limits<double>::max();
     std::optional<linalg::BlockAdder> tangent;
@@ -114,6 +114,7 @@ void Assembler::add_cells(std::size_t index, const Targets& to, Evaluation& resu
         const int count = static_cast<int>(std::min(batch, group.cells.size() - begin));
 #pragma omp parallel for num_threads(threads) schedule(static) if (threads > 1)
         for (int i = 0; i < count; ++i) integrate(fe_, state_, group, begin + i, wanted, cells[i]);
+        if (to.K != nullptr) add_stiffness(index, begin, std::span(cells).first(count), threads, *to.K);
         for (int i = 0; i < count; ++i) {
             const CellOutput& out = cells[i].out;
             const auto dofs = group.dofs_of(begin + i);
@@ -125,10 +126,21 @@ void Assembler::add_cells(std::size_t index, const Targets& to, Evaluation& resu
             SOFT_PETSC(
                 VecSetValues(to.R, static_cast<PetscInt>(dofs.size()), dofs.data(), out.residual.data(), ADD_VALUES));
             if (to.K == nullptr) continue;
-            to.K->add(indices_.groups[index], begin + i, out.stiffness);
             for (const auto& column : to.columns) subtract_moved(column, dofs, out.stiffness);
         }
     }
+}
+
+/// Each thread adds some of the rows of all cells, in the order of the cells.
+void Assembler::add_stiffness(std::size_t group, std::size_t first, std::span<const LocalCell> cells, int threads,
+                              linalg::BlockAdder& K) const {
+    const linalg::BlockIndices& indices = indices_.groups[group];
+    const auto add = [&](linalg::RowShare share) {
+        for (std::size_t i = 0; i < cells.size(); ++i) K.add(indices, first + i, cells[i].out.stiffness, share);
+    };
+    if (threads == 1 || !K.is_shareable(indices)) return add({});
+#pragma omp parallel for num_threads(threads) schedule(static)
+    for (int t = 0; t < threads; ++t) add({t, threads});
 }
 
 double Assembler::velocity_of(PetscInt dof, const LoadLevels& rates) const {

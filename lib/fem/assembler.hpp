@@ -68,6 +68,8 @@ private:
 
     void find_block_indices(Mat K);
     void add_cells(std::size_t group, const Targets& to, Evaluation& result) const;
+    void add_stiffness(std::size_t group, std::size_t first, std::span<const LocalCell> cells, int threads,
+                       linalg::BlockAdder& K) const;
     void add_pressures(std::size_t load, const Targets& to) const;
     void add_dead_loads(const Targets& to) const;
     /// Returns whether a block is beyond the pattern of K.

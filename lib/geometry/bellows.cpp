@@ -31,6 +31,8 @@ Counts counts_of(const BellowsShape& shape, const design::Values& values) {
     const auto cells = [&](double length_m, int min_cells = 1) { return size.along(length_m, min_cells); };
     // The state varies slowly along the wall between the bends: longer cells cost no accuracy there (measured).
     constexpr double straight_stretch = 1.2;
+    // The discs hardly deform; half of a solid's cells were in them. In sections cells cost little.
+    const double disc_stretch = is_section(values) ? 1 : 3;
     const bool is_sharp = shape.fillet_m < 0.25 * shape.wall_m;  // two cells are badly shaped in such a sharp bend
     constexpr int min_through = 3;  // with two cells the bends are 0.6 % too soft for any grading (measured)
     return {.through = size.through(shape.wall_m, is_section(values) || is_sharp ? min_through : 2, min_through),
@@ -41,9 +43,9 @@ Counts counts_of(const BellowsShape& shape, const design::Values& values) {
             .below_neck = cells(shape.neck_at_m),
             .above_neck = cells((shape.straight_m - shape.neck_at_m) / straight_stretch),
             .neck = cells(shape.neck_length_m),
-            .disc = cells(shape.disc_length_m + shape.disc_corner[0]),
-            .disc_radial = cells(shape.disc_radius_m - shape.neck_radius_m),
-            .core = cells(shape.bore_m)};
+            .disc = cells((shape.disc_length_m + shape.disc_corner[0]) / disc_stretch),
+            .disc_radial = cells((shape.disc_radius_m - shape.neck_radius_m) / disc_stretch),
+            .core = cells(shape.bore_m / disc_stretch)};
 }
 
 /// A cut through the wall: the points on its cavity side and on its outer side, connected by a line.

@@ -59,6 +59,9 @@ private:
 
 constexpr std::uint16_t omitted = std::numeric_limits<std::uint16_t>::max();
 
+/// Consecutive rows that one thread adds: those of a cell are divided evenly.
+constexpr PetscInt rows_together = 4;
+
 }  // namespace
 
 std::uint64_t pattern_hash(Mat K) {
@@ -154,6 +157,21 @@ bool BlockIndices::find_indices(Mat K) {
     return true;
 }
 
+void zero_entries(Mat K, int threads) {
+    const Parts parts = parts_of(K);
+    if (threads == 1 || parts.rest != nullptr) {
+        SOFT_PETSC(MatZeroEntries(K));
+        return;
+    }
+    const MatrixRows rows = rows_of(K);
+    const PetscInt entries = rows.begin[rows.count];
+    double* values = nullptr;
+    SOFT_PETSC(MatSeqAIJGetArray(K, &values));
+#pragma omp parallel for num_threads(threads) schedule(static)
+    for (PetscInt k = 0; k < entries; ++k) values[k] = 0.0;
+    SOFT_PETSC(MatSeqAIJRestoreArray(K, &values));
+}
+
 BlockAdder::BlockAdder(Mat K) : K_(K) {
     const Parts parts = parts_of(K);
     diagonal_ = parts.diagonal;
@@ -186,12 +204,16 @@ void BlockAdder::add_own_row(PetscInt row, std::span<const std::uint16_t> indice
     }
 }
 
-void BlockAdder::add(const BlockIndices& indices, std::size_t block, std::span<const double> values) {
+bool BlockAdder::is_shareable(const BlockIndices& indices) const {
+    return rest_ == nullptr && !indices.indices_.empty();
+}
+
+void BlockAdder::add(const BlockIndices& indices, std::size_t block, std::span<const double> values, RowShare share) {
     const auto begin = indices.blocks_[block], end = indices.blocks_[block + 1];
     const std::span<const PetscInt> dofs(&indices.dofs_[begin.dofs], end.dofs - begin.dofs);
     const std::size_t size = dofs.size();
     for (std::size_t i = 0; i < size; ++i) {
-        if (dofs[i] < 0) continue;
+        if (dofs[i] < 0 || (share.count > 1 && dofs[i] / rows_together % share.count != share.index)) continue;
         const auto row = values.subspan(i * size, size);
         if (indices.indices_.empty() || dofs[i] < begin_ || dofs[i] >= end_)
             SOFT_PETSC(MatSetValues(K_, 1, &dofs[i], static_cast<PetscInt>(size), dofs.data(), row.data(), ADD_VALUES));

@@ -38,7 +38,16 @@ private:
     std::vector<std::uint16_t> indices_;
 };
 
-/// Accesses the values of a matrix during its lifetime. Call MatZeroEntries first: it marks the matrix as changed for solvers.
+/// The rows that one of several threads adds: all entries of a row are added by one thread in the order of the calls, so that the sums do not
+/// depend on the number of threads.
+struct RowShare {
+    int index = 0, count = 1;
+};
+
+/// MatZeroEntries on threads.
+void zero_entries(Mat K, int threads);
+
+/// Accesses the values of a matrix during its lifetime. Call zero_entries first: it marks the matrix as changed for solvers.
 class BlockAdder {
 public:
     explicit BlockAdder(Mat K);
@@ -46,8 +55,10 @@ public:
     BlockAdder(const BlockAdder&) = delete;
     BlockAdder& operator=(const BlockAdder&) = delete;
 
+    /// Whether threads may add their shares at the same time: no row belongs to another rank or is too long for its indices.
+    [[nodiscard]] bool is_shareable(const BlockIndices& indices) const;
     /// values [row][column] of one block.
-    void add(const BlockIndices& indices, std::size_t block, std::span<const double> values);
+    void add(const BlockIndices& indices, std::size_t block, std::span<const double> values, RowShare share = {});
 
 private:
     void add_own_row(PetscInt row, std::span<const std::uint16_t> indices, std::span<const double> values);

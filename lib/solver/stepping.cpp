@@ -35,8 +35,9 @@ constexpr double min_kinked_step = 0.1;
 constexpr double min_fibre_step = 0.5;
 /// In time the body may hardly move, or return to rest: the error of the state is relative to at least this fraction of its largest size.
 constexpr double min_step_in_time = 0.01;
-/// Bounds of the step-size factor from one step to the next.
-constexpr double max_growth = 2.5, growth_of_linear_steps = 100.0, min_shrink = 0.3, min_retake = 0.1;
+/// Bounds of the step-size factor from one step to the next; in contact the path may bend suddenly.
+constexpr double max_growth = 5.0, max_growth_in_contact = 2.5, growth_of_linear_steps = 100.0, min_shrink = 0.3,
+                 min_retake = 0.1;
 /// Times the estimated error of the viscous stress, so that loads and outputs of stress that nearly cancels, and the balance of energies,
 /// hold the accuracy too.
 constexpr double safety_in_time = 4.0;
@@ -54,6 +55,8 @@ constexpr double negligible_error = 1e-3;
 constexpr double accepted_share = 0.5;
 /// A fraction of a step that counts as rounding: far above the rounding of sums, far below any step.
 constexpr double sliver = 1e-6;
+/// A step becomes longer by up to this fraction to end at a goal.
+constexpr double stretch_to_a_goal = 0.1;
 
 /// A constant step under load-factor control ends on its multiples, also after a step that was cut: rows at k x first_step.
 double next_q(const PathState& path, bool constant) {
@@ -65,10 +68,14 @@ double next_q(const PathState& path, bool constant) {
 }
 
 /// Factor on the step for an error that is proportional to the power order + 1 of the step.
-double factor_for(double error, double order, const model::SolverSettings& settings, const NewtonResult& result) {
+double factor_for(double error, double order, const model::SolverSettings& settings, const NewtonResult& result,
+                  bool touches) {
     const double factor = std::pow(settings.step_accuracy / std::max(error, 1e-12), 1.0 / order);
     const bool is_linear = result.iterations == 0 && result.within_rounding;
-    const double bounded = std::clamp(0.9 * factor, min_shrink, is_linear ? growth_of_linear_steps : max_growth);
+    const double bounded = std::clamp(0.9 * factor, min_shrink,
+                                      is_linear ? growth_of_linear_steps
+                                      : touches ? max_growth_in_contact
+                                                : max_growth);
     return result.iterations > many_iterations ? std::min(bounded, 0.7) : bounded;
 }
 
@@ -80,8 +87,8 @@ Aim aim_of(const PathState& path, Corrector& corrector) {
     const bool straight = !path.before || settings.predictor == model::Predictor::tangent;
     const PathPoint *before = straight ? nullptr : &*path.before, &last = *path.last;
     const double end = next_q(path, constant);
-    // With constant steps, rounding must not leave a tiny step before a goal that lies on the grid.
-    const double reach = constant ? end + sliver * (end - last.q) : end;
+    // No tiny step is left before a goal; with constant steps, none before a goal that lies on the grid.
+    const double reach = end + (constant ? sliver : stretch_to_a_goal) * (end - last.q);
     Aim aim{.crossing = first_predicted(path.goals, before, last, reach), .straight = straight};
     aim.forecast = predict(before, last, aim.crossing ? aim.crossing->q : end);
     aim.constraint = aim.crossing ? aim.crossing->goal->constraint : bind(path.control, last);
@@ -210,7 +217,7 @@ double next_step(const model::SolverSettings& settings, const PathState& path, c
             const bool by_tangent = settings.predictor == model::Predictor::tangent;
             // After a tangent the next predictor is the cubic: for a series with decreasing terms its error is 4 missed^3.
             const double next = aim.straight && !by_tangent ? missed * missed : missed;
-            step *= factor_for(next, aim.straight && by_tangent ? 1.0 : 3.0, settings, result);
+            step *= factor_for(next, aim.straight && by_tangent ? 1.0 : 3.0, settings, result, path.last->touches);
         }
     }
     step = round_step_size(step);

@@ -55,15 +55,19 @@ TEST_P(BlockEntries, AreBitwiseEqualToMatSetValues) {
     Matrix K = searched(GetParam());
     const std::vector<std::span<const PetscInt>> blocks(chain.begin(), chain.end());
     const BlockIndices indices(K, blocks);
-    SOFT_PETSC(MatZeroEntries(K));
-    {
-        BlockAdder adder(K);
-        for (std::size_t b = 0; b < chain.size(); ++b) adder.add(indices, b, block_values(b));
+    for (const int threads : {1, 3}) {
+        zero_entries(K, threads);
+        {
+            BlockAdder adder(K);
+            const int shares = adder.is_shareable(indices) ? threads : 1;
+            for (int t = shares; t-- > 0;)
+                for (std::size_t b = 0; b < chain.size(); ++b) adder.add(indices, b, block_values(b), {t, shares});
+        }
+        assemble(K);
+        PetscBool equal = PETSC_FALSE;
+        SOFT_PETSC(MatEqual(K, expected, &equal));
+        EXPECT_EQ(equal, PETSC_TRUE) << threads;
     }
-    assemble(K);
-    PetscBool equal = PETSC_FALSE;
-    SOFT_PETSC(MatEqual(K, expected, &equal));
-    EXPECT_EQ(equal, PETSC_TRUE);
 }
 
 TEST_P(BlockEntries, OutsideThePatternAreRejected) {
