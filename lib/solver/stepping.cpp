@@ -55,8 +55,6 @@ constexpr double negligible_error = 1e-3;
 constexpr double accepted_share = 0.5;
 /// A fraction of a step that counts as rounding: far above the rounding of sums, far below any step.
 constexpr double sliver = 1e-6;
-/// A step becomes longer by up to this fraction to end at a goal.
-constexpr double stretch_to_a_goal = 0.1;
 
 /// A constant step under load-factor control ends on its multiples, also after a step that was cut: rows at k x first_step.
 double next_q(const PathState& path, bool constant) {
@@ -87,8 +85,8 @@ Aim aim_of(const PathState& path, Corrector& corrector) {
     const bool straight = !path.before || settings.predictor == model::Predictor::tangent;
     const PathPoint *before = straight ? nullptr : &*path.before, &last = *path.last;
     const double end = next_q(path, constant);
-    // No tiny step is left before a goal; with constant steps, none before a goal that lies on the grid.
-    const double reach = end + (constant ? sliver : stretch_to_a_goal) * (end - last.q);
+    // With constant steps, rounding must not leave a tiny step before a goal that lies on the grid.
+    const double reach = constant ? end + sliver * (end - last.q) : end;
     Aim aim{.crossing = first_predicted(path.goals, before, last, reach), .straight = straight};
     aim.forecast = predict(before, last, aim.crossing ? aim.crossing->q : end);
     aim.constraint = aim.crossing ? aim.crossing->goal->constraint : bind(path.control, last);

@@ -173,7 +173,7 @@ TEST(Plate, FollowsTheSnapThroughOfSingleCells) {
         return changes;
     };
     // Longer steps miss the snap-throughs, and so do some shorter ones.
-    const auto run = run_design("plate.yaml", with_accuracy("1.1e-3")),
+    const auto run = run_design("plate.yaml", with_accuracy("8.5e-4")),
                dense = run_design("plate.yaml", with_accuracy("1e-5"));
     EXPECT_EQ(run.end.reason, model::StopReason::limit_point);  // the maximum, with stretches beyond the limit
     EXPECT_GT(dense.steps.size(), 3 * run.steps.size());
