@@ -120,11 +120,11 @@ meshing::Spacing spacing_of(const Shape& shape, const CellSize& size, const desi
     const double edge_m = std::min(size.length_m(), thinnest_m / (quality > 1 ? fine_edges : quality));
     const double stated_grading = values.number("mesh.grading");
     const double span_m = shape.chamber_m - 2 * shape.wall_m;
-    const auto through = [&](double thickness_m) {
+    const auto cells_through = [&](double thickness_m) {
         return quality < 1 || (quality == 1 && span_m < short_span * thickness_m) ? 1 : min_through;
     };
     meshing::Spacing spacing{size.length_m(),
-                             {min_through, through(shape.side_m), through(shape.roof_m)},
+                             {min_through, cells_through(shape.side_m), cells_through(shape.roof_m)},
                              size.length_m() / edge_m,
                              growth,
                              quality == 1 ? stretch : 1};
