@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "mesh/mesh.hpp"
-#include "solver/stepping.hpp"
 
 namespace soft::solver {
 
@@ -116,7 +115,7 @@ std::optional<PathPoint> point_along(Corrector& corrector, const PathState& path
     if (!tangent) return std::nullopt;
     const double cosine = linalg::dot(tangent->x, turned.x);
     if (std::abs(cosine) < roughly_along || !turns_within(path, step, turned, guess.x)) return std::nullopt;
-    if (cosine < 0.0 && (path.begins_stage() || !may_have_kinks(corrector.system(), *path.last))) return std::nullopt;
+    if (cosine < 0.0 && path.begins_stage()) return std::nullopt;
     if (cosine < 0.0) scale(*tangent, -1.0);
     return corrector.measure(frame_of(path), std::move(guess), std::move(*tangent));
 }
@@ -146,8 +145,7 @@ std::optional<PathPoint> pass_kink(Corrector& corrector, const PathState& path, 
         const State beyond = moved(path.last->state, step, path.last->tangent);
         const double along = along_new_direction * std::abs(step) * linalg::norm(path.last->tangent.x);
         auto turned = oriented_direction(corrector, path, beyond);
-        if (turned && may_have_kinks(corrector.system(), *path.last) &&
-            !find_consistent_direction(corrector, path, beyond, along, *turned))
+        if (turned && !find_consistent_direction(corrector, path, beyond, along, *turned))
             if (auto between = piece_between(corrector, path, step, *turned)) {
                 turned = std::move(between);
                 static_cast<void>(find_consistent_direction(corrector, path, beyond, along, *turned));
