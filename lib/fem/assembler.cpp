@@ -46,7 +46,7 @@ Evaluation Assembler::evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, st
     SOFT_PETSC(VecSetOption(R, VEC_IGNORE_NEGATIVE_INDICES, PETSC_TRUE));  // R may be created by a PETSc solver
     SOFT_PETSC(VecZeroEntries(R));
     for (const auto& column : columns) SOFT_PETSC(VecZeroEntries(column.out));
-    if (K != nullptr) linalg::zero_entries(K, thread_count(fe_.input.solver.threads));
+    if (K != nullptr) SOFT_PETSC(MatZeroEntries(K));
     Evaluation result;
     result.min_jacobian = std::numeric_limits<double>::max();
     std::optional<linalg::BlockAdder> tangent;

@@ -157,21 +157,6 @@ bool BlockIndices::find_indices(Mat K) {
     return true;
 }
 
-void zero_entries(Mat K, int threads) {
-    const Parts parts = parts_of(K);
-    if (threads == 1 || parts.rest != nullptr) {
-        SOFT_PETSC(MatZeroEntries(K));
-        return;
-    }
-    const MatrixRows rows = rows_of(K);
-    const PetscInt entries = rows.begin[rows.count];
-    double* values = nullptr;
-    SOFT_PETSC(MatSeqAIJGetArray(K, &values));
-#pragma omp parallel for num_threads(threads) schedule(static)
-    for (PetscInt k = 0; k < entries; ++k) values[k] = 0.0;
-    SOFT_PETSC(MatSeqAIJRestoreArray(K, &values));
-}
-
 BlockAdder::BlockAdder(Mat K) : K_(K) {
     const Parts parts = parts_of(K);
     diagonal_ = parts.diagonal;

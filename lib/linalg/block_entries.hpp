@@ -44,10 +44,7 @@ struct RowShare {
     int index = 0, count = 1;
 };
 
-/// MatZeroEntries on threads.
-void zero_entries(Mat K, int threads);
-
-/// Accesses the values of a matrix during its lifetime. Call zero_entries first: it marks the matrix as changed for solvers.
+/// Accesses the values of a matrix during its lifetime. Call MatZeroEntries first: it marks the matrix as changed for solvers.
 class BlockAdder {
 public:
     explicit BlockAdder(Mat K);
