@@ -67,13 +67,10 @@ double next_q(const PathState& path, bool constant) {
 
 /// Factor on the step for an error that is proportional to the power order + 1 of the step.
 double factor_for(double error, double order, const model::SolverSettings& settings, const NewtonResult& result,
-                  bool touches) {
+                  double growth) {
     const double factor = std::pow(settings.step_accuracy / std::max(error, 1e-12), 1.0 / order);
     const bool is_linear = result.iterations == 0 && result.within_rounding;
-    const double bounded = std::clamp(0.9 * factor, min_shrink,
-                                      is_linear ? growth_of_linear_steps
-                                      : touches ? max_growth_in_contact
-                                                : max_growth);
+    const double bounded = std::clamp(0.9 * factor, min_shrink, is_linear ? growth_of_linear_steps : growth);
     return result.iterations > many_iterations ? std::min(bounded, 0.7) : bounded;
 }
 
@@ -215,7 +212,8 @@ double next_step(const model::SolverSettings& settings, const PathState& path, c
             const bool by_tangent = settings.predictor == model::Predictor::tangent;
             // After a tangent the next predictor is the cubic: for a series with decreasing terms its error is 4 missed^3.
             const double next = aim.straight && !by_tangent ? missed * missed : missed;
-            step *= factor_for(next, aim.straight && by_tangent ? 1.0 : 3.0, settings, result, path.last->touches);
+            const double growth = path.last->touches ? max_growth_in_contact : max_growth;
+            step *= factor_for(next, aim.straight && by_tangent ? 1.0 : 3.0, settings, result, growth);
         }
     }
     step = round_step_size(step);
