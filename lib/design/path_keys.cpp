@@ -130,8 +130,10 @@ const Settings<model::PathSettings>& path_settings() {
         number("time_accuracy", &Path::time_accuracy, share,
                "relative error of the viscous stress that the steps of stages with a time may have"),
         count("repeat", &Path::cycles, {1, max_cycles}, "number of times that the stages are passed"),
-        number("stretch_limit", &Path::stretch_limit, above(1),
-               "stretch, exceeded in 1 % of the rubber, at which a load that cannot be reached is abandoned"),
+        number(
+            "stretch_limit", &Path::stretch_limit, above(1),
+            "stretch, exceeded in 1 % of the rubber, at which a load that cannot be reached is abandoned; past a maximum also "
+            "at a point with ten times this stretch"),
         count("frequencies", &Path::frequencies, {0, model::max_frequencies},
               "number of natural frequencies of small vibrations about each state, loads held; needs "
               "material.density")};

@@ -20,8 +20,8 @@ constexpr double goal_tolerance = 1e-6;
 constexpr double max_slope_ratio = 0.35;
 /// Relative growth of the load, over the remaining load, for a doubling of the displacements: with less growth the load is never reached.
 constexpr double max_asymptotic_growth = 1e-3;
-/// Far beyond the stretch limit, which no rubber reaches at any point: if the growth of the load decays with at least this power, the extrapolated growth must stay below this
-/// fraction of the remaining load.
+/// Times the stretch limit: a stretch that no rubber reaches at any point. If the growth of the load decays with at least this power there, the
+/// extrapolated growth must stay below this fraction of the remaining load.
 constexpr double far_beyond = 10, min_power = 0.4, reachable = 0.6;
 /// Largest det F of a cell that is about to invert.
 constexpr double max_inverted_det_F = 0.2;
