@@ -78,8 +78,7 @@ PetscErrorCode guarded(Work&& work) {
 
 class Multigrid::Parts {
 public:
-    explicit Parts(ElementLevels levels);
-
+    explicit Parts(const ElementLevels& levels);
     /// Returns the code of the V-cycle, whose failure is numerical and not a program error.
     [[nodiscard]] PetscErrorCode set_up(Mat K);
     [[nodiscard]] PetscErrorCode apply(Vec from, Vec to);
@@ -93,7 +92,7 @@ private:
     void add_bulk();
     void solve_blocks(Vec from, Vec to, Kind kind) const;
 
-    ElementLevels levels_;
+    const ElementLevels& levels_;
     bool mixed_ = false;  // has pressure unknowns
     Matrix A_, B_;
     std::vector<double> inverse_;  // of the blocks of C + M_g, one after the other
@@ -103,7 +102,7 @@ private:
     Scatter displacements_, pressures_;
 };
 
-Multigrid::Parts::Parts(ElementLevels levels) : levels_(std::move(levels)) {
+Multigrid::Parts::Parts(const ElementLevels& levels) : levels_(levels) {
     PetscInt count = 0;
     SOFT_PETSC(ISGetSize(levels_.pressures, &count));
     mixed_ = count > 0;
@@ -270,10 +269,11 @@ PetscErrorCode Multigrid::Parts::apply(Vec from, Vec to) {
     return 0;
 }
 
-Multigrid::Multigrid(ElementLevels levels) : parts_(std::make_unique<Parts>(std::move(levels))) {}
+Multigrid::Multigrid(ElementLevels levels) : levels_(std::move(levels)) {}
 Multigrid::~Multigrid() = default;
 
 void Multigrid::attach(PC pc) {
+    parts_ = std::make_unique<Parts>(levels_);
     SOFT_PETSC(PCSetType(pc, PCSHELL));
     SOFT_PETSC(PCShellSetName(pc, "multigrid of second-order elements"));
     SOFT_PETSC(PCShellSetContext(pc, parts_.get()));

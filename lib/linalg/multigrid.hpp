@@ -39,13 +39,14 @@ public:
     Multigrid(const Multigrid&) = delete;
     Multigrid& operator=(const Multigrid&) = delete;
 
-    /// Turns `pc` into a PCSHELL that calls this object, which must outlive it.
+    /// Turns `pc` into a PCSHELL that calls this object, which must outlive it. To be called again when K has another pattern.
     void attach(PC pc);
 
 private:
     class Parts;
     static PetscErrorCode set_up(PC pc);
     static PetscErrorCode apply(PC pc, Vec from, Vec to);
+    ElementLevels levels_;
     std::unique_ptr<Parts> parts_;
 };
 
