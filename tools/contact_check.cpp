@@ -32,12 +32,12 @@ solver::ContactCheck contact_check(fem::System& system) {
     // std::function copies its captures, and a ContactFinder cannot be copied: hence the shared_ptr.
     const auto finder = rank == 0 ? std::make_shared<const contact::ContactFinder>(system.input()) : nullptr;
     return [&system, finder](Vec x) {
-        const auto fields = system.fields().gather(x);
+        const auto displacement_m = system.fields().gather_displacements(x);
         const auto shifts = system.contact().shifts(x);
         std::optional<solver::ContactEvent> found;
         const linalg::ScopedTimer timed(linalg::Phase::contact);
         if (finder)
-            if (auto contact = finder->find(fields.displacement_m, shifts))
+            if (auto contact = finder->find(displacement_m, shifts))
                 found = {std::move(contact->text),
                          contact->is_inverted ? model::StopReason::inverted_element : model::StopReason::self_contact};
         return from_first_rank(found, system.comm());

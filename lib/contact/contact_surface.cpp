@@ -309,6 +309,7 @@ Adjacency ContactSurface::find_adjacency(const Entry& a, const Entry& b) const {
 
 std::vector<Patch> ContactSurface::patches(std::span<const Point> positions, std::span<const Vector3> shifts) const {
     std::vector<Patch> patches;
+    patches.reserve(entries_.size());
     for (const Entry& entry : entries_) {
         surface::FacetMap map{entry.undeformed.type, entry.undeformed.nodes};
         for (std::size_t a = 0; a < entry.nodes.size(); ++a)

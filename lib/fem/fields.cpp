@@ -148,7 +148,7 @@ std::optional<double> Fields::error_in_time(Vec x) {
 }
 
 mesh::Index Fields::inverted_at_a_node(Vec x, double below) const {
-    const auto displacement_m = gather(x).displacement_m;
+    const auto displacement_m = gather_displacements(x);
     mesh::Index found = -1;
     if (fe_.rank == 0) {
         mesh::Mesh mesh = fe_.input.mesh;
@@ -165,6 +165,23 @@ mesh::Index Fields::inverted_at_a_node(Vec x, double below) const {
     return found;
 }
 
+std::vector<double> Fields::displacements_m(std::span<const double> all) const {
+    const std::size_t points = fe_.input.mesh.points.size(), dimension = static_cast<std::size_t>(fe_.dofs.dimension);
+    std::vector<double> values(3 * points, 0.0);
+    for (std::size_t node = 0; node < points; ++node)
+        for (std::size_t i = 0; i < dimension; ++i) {
+            const auto dof = fe_.dofs.displacement[node * dimension + i];
+            values[3 * node + i] = dof >= 0 ? all[static_cast<std::size_t>(dof)] : state_[dof];
+        }
+    return values;
+}
+
+std::vector<double> Fields::gather_displacements(Vec x) const {
+    const linalg::ScopedTimer timed(linalg::Phase::measures);
+    const std::vector<double> all = linalg::gather(x);
+    return fe_.rank == 0 ? displacements_m(all) : std::vector<double>{};
+}
+
 NodalFields Fields::gather(Vec x) const {
     const linalg::ScopedTimer timed(linalg::Phase::measures);
     const std::vector<double> all = linalg::gather(x);
@@ -172,13 +189,8 @@ NodalFields Fields::gather(Vec x) const {
     if (fe_.rank != 0) return fields;
     const mesh::Mesh& mesh = fe_.input.mesh;
     const DofMap& map = fe_.dofs;
-    const std::size_t points = mesh.points.size(), dimension = static_cast<std::size_t>(map.dimension);
-    fields.displacement_m.assign(3 * points, 0.0);
-    for (std::size_t node = 0; node < points; ++node)
-        for (std::size_t i = 0; i < dimension; ++i) {
-            const auto dof = map.displacement[node * dimension + i];
-            fields.displacement_m[3 * node + i] = dof >= 0 ? all[static_cast<std::size_t>(dof)] : state_[dof];
-        }
+    const std::size_t points = mesh.points.size();
+    fields.displacement_m = displacements_m(all);
     if (map.pressures == 0) return fields;
     fields.pressure_Pa.assign(points, 0.0);
     std::vector<int> shares(points, 0);

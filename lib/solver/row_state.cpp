@@ -205,7 +205,7 @@ double work_between(fem::System& system, const PathPoint& from, const PathPoint&
 RowState row_state(fem::System& system, const PathPoint& point, double direction, model::Step step) {
     auto fields = system.fields().gather(point.state.x);
     RowState row{std::move(step), std::move(fields.displacement_m),
-                 system.fields().gather(point.tangent.x).displacement_m, std::move(fields.pressure_Pa),
+                 system.fields().gather_displacements(point.tangent.x), std::move(fields.pressure_Pa),
                  point.state.pressures_Pa};
     for (double& component : row.tangent) component *= direction;
     return row;

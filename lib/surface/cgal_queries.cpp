@@ -186,9 +186,14 @@ std::vector<std::array<int, 2>> overlapping_pairs(std::span<const Box> boxes) {
         numbered.emplace_back(CGAL::Bbox_3(box.low[0], box.low[1], box.low[2], box.high[0], box.high[1], box.high[2]),
                               static_cast<int>(numbered.size()));
     std::vector<std::array<int, 2>> pairs;
-    CGAL::box_self_intersection_d(numbered.begin(), numbered.end(), [&pairs](const Numbered& a, const Numbered& b) {
-        pairs.push_back({std::min(a.info(), b.info()), std::max(a.info(), b.info())});
-    });
+    constexpr std::ptrdiff_t few =
+        100;  // fewer boxes are compared in sequence: 2 to 3 times faster than with CGAL's 10
+    CGAL::box_self_intersection_d(
+        numbered.begin(), numbered.end(),
+        [&pairs](const Numbered& a, const Numbered& b) {
+            pairs.push_back({std::min(a.info(), b.info()), std::max(a.info(), b.info())});
+        },
+        few);
     std::sort(pairs.begin(), pairs.end());
     return pairs;
 }
