@@ -74,7 +74,7 @@ std::optional<InverseIterate> iterate_inverse(Newton& newton, Vec b) {
 /// Scales a mode to a largest displacement of 1; the sign does not depend on the number of ranks.
 void normalize_mode(fem::System& system, Vec mode) {
     system.prescribe(fem::no_loads(system.input()));
-    const auto u = system.fields().gather(mode).displacement_m;
+    const auto u = system.fields().gather_displacements(mode);
     double factor = 0;
     for (const double component : u) factor = std::max(factor, std::abs(component));
     const auto first = std::ranges::find_if(u, [&](double component) { return std::abs(component) > 0.5 * factor; });
@@ -262,15 +262,6 @@ std::optional<PathPoint> bisect_first_contact(Corrector& corrector, const PathSt
     return std::move(bracket.right);
 }
 
-std::optional<Event> locate_first_contact(Corrector& corrector, const PathState& path, const PathPoint& to) {
-    if (!to.touches || path.last->touches) return std::nullopt;
-    auto touching = first_in_contact(corrector, path, to);
-    if (!touching) touching = bisect_first_contact(corrector, path, to);
-    const contact::Summary touch = contact_at(corrector, path, touching ? touching->state : to.state);
-    if (!touching) return std::nullopt;
-    return Event{Event::Kind::first_contact, std::move(*touching), 0, {}, touch.touched, *touch.location};
-}
-
 }  // namespace
 
 std::optional<ContactEvent> find_contact(Corrector& corrector, const PathState& path, const Listeners& listeners,
@@ -307,6 +298,21 @@ std::optional<ContactEvent> find_crossing(Corrector& corrector, const Listeners&
     return listeners.contact(point.state.x);
 }
 
+std::optional<Event> first_contact_before(const PathPoint& to, Corrector& corrector, const PathState& path) {
+    if (!to.touches || path.last->touches) return std::nullopt;
+    auto touching = first_in_contact(corrector, path, to);
+    if (!touching) touching = bisect_first_contact(corrector, path, to);
+    const contact::Summary touch = contact_at(corrector, path, touching ? touching->state : to.state);
+    if (!touching) return std::nullopt;
+    return Event{Event::Kind::first_contact, std::move(*touching), 0, {}, touch.touched, *touch.location};
+}
+
+void Events::add(Event event, double direction) {
+    const auto after = std::ranges::upper_bound(list, direction * event.point.q, {},
+                                                [&](const Event& other) { return direction * other.point.q; });
+    list.insert(after, std::move(event));
+}
+
 Events events_before(const PathPoint& to, Corrector& corrector, const PathState& path, const Listeners& listeners) {
     const PathPoint& from = *path.last;
     Events events;
@@ -314,7 +320,7 @@ Events events_before(const PathPoint& to, Corrector& corrector, const PathState&
         if (slope(from) * slope(to) >= 0.0) return false;
         auto point = locate_extremum(corrector, path, to, kind, slope);
         if (!point) return false;  // not located: only the rows show the sign change
-        events.list.push_back({kind, std::move(*point)});
+        events.add({kind, std::move(*point)}, path.direction());
         return true;
     };
     // Where the load changes by less than the tolerance of a limit point, a change of sign is rounding: the path hardly moves.
@@ -336,12 +342,8 @@ Events events_before(const PathPoint& to, Corrector& corrector, const PathState&
     if (before && after && *before != *after && !stage_of(corrector.input(), path).time_s)
         if (auto event = locate_bifurcation(corrector, path, listeners, to)) {
             event->modes = std::abs(*after - *before);
-            events.list.push_back(std::move(*event));
+            events.add(std::move(*event), path.direction());
         }
-    if (auto touch = locate_first_contact(corrector, path, to)) events.list.push_back(std::move(*touch));
-    const double sense = path.direction();
-    std::ranges::stable_sort(events.list,
-                             [&](const Event& a, const Event& b) { return sense * a.point.q < sense * b.point.q; });
     return events;
 }
 

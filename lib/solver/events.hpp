@@ -18,7 +18,8 @@ struct Event {
 };
 
 struct Events {
-    std::vector<Event> list;   ///< in the order of the path
+    std::vector<Event> list;  ///< in the order of the path
+    void add(Event event, double direction);
     std::string control_ends;  ///< why the user-selected control cannot continue beyond the first extremum; else empty
 };
 
@@ -31,7 +32,11 @@ struct Events {
 [[nodiscard]] std::optional<ContactEvent> find_crossing(Corrector& corrector, const Listeners& listeners,
                                                         const PathPoint& point);
 
-/// The events between the last row and `to`.
+/// Where contact begins, if nothing touches at the last row.
+[[nodiscard]] std::optional<Event> first_contact_before(const PathPoint& to, Corrector& corrector,
+                                                        const PathState& path);
+
+/// The other events between the last row and `to`.
 [[nodiscard]] Events events_before(const PathPoint& to, Corrector& corrector, const PathState& path,
                                    const Listeners& listeners);
 

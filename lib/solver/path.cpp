@@ -88,6 +88,9 @@ model::PathEnd PathFollower::run(const model::Checkpoint* from) {
 }
 
 void PathFollower::start() {
+    system_.prescribe(fem::no_loads(input_));
+    system_.contact().set_resting(!system_.contact().has_friction() && !system_.has_initial_stress() &&
+                                  !system_.contact().touches(system_.make_vector()));
     set_stage(0, unloaded(input_, path_.undeformed_volumes_m3), corrector_, path_);
     if (!path_.loads->changes())
         throw Error(ExitCode::bad_input, "loads", "no load acts on the body", "set loads.cavity.pressure");
@@ -107,46 +110,65 @@ void PathFollower::step() {
     if (path_.rows > last_row_of_stage(path_, input_)) return end_stage("number of steps");
 
     corrector_.newton().couple_contact(path_.last->state);
-    const Aim aim = aim_of(path_, corrector_);
+    Aim aim = aim_of(path_, corrector_);
     auto point =
         corrector_.solve_at(frame_of(path_), aim.constraint, aim.target, guess_of(aim, path_, input_.solver.predictor));
     if (!point) return recover();
 
-    const PredictorError error = error_of(system_, path_, aim, *point);
-    if (is_refused(system_, path_, error, *point)) {
-        path_.attempts.rejected_error = error.state;
+    PredictorError error = error_of(system_, path_, aim, *point);
+    PathPoint* next = &*point;
+    std::optional<Event> touch;
+    const bool refused = is_refused(system_, path_, error, *point);
+    const double rejected_error = error.state;
+    const Corrector::Memory memory = corrector_.memory();
+    if (refused && !path_.attempts.rejected_error) touch = first_contact_before(*point, corrector_, path_);
+    if (touch) {  // the step goes to where contact begins, if the path is predicted up to there
+        next = &touch->point;
+        aim.crossing.reset();
+        aim.forecast = predict(aim.straight ? nullptr : &*path_.before, *path_.last, next->q);
+        error = error_of(system_, path_, aim, *next);
+    }
+    if (refused && (!touch || is_refused(system_, path_, error, *next))) {
+        corrector_.restore(memory);
+        path_.attempts.rejected_error = rejected_error;
         return recover();
     }
-    path_.attempts.crossing = find_crossing(corrector_, listeners_, *point);
+    path_.attempts.crossing = find_crossing(corrector_, listeners_, *next);
     if (path_.attempts.crossing) {
         path_.refused = {path_.rows, *path_.attempts.crossing};
         return recover();
     }
     const bool has_friction = system_.contact().has_friction();
-    const bool stays_in_contact = point->touches && path_.last->touches && !has_friction;
+    const bool stays_in_contact = next->touches && path_.last->touches && !has_friction;
     const bool may_jump =
         stays_in_contact || ((system_.has_kinks() || has_friction) && path_.attempts.failures < failures_before_kink);
-    if (may_jump && breaks_energy_balance(corrector_, path_, *point)) return recover();
-    const double taken = point->q - path_.last->q;
-    if (shorten_for_the_curve(system_, path_, aim, error.larger(), *point))
+    if (may_jump && breaks_energy_balance(corrector_, path_, *next)) return recover();
+    const double taken = next->q - path_.last->q;
+    if (shorten_for_the_curve(system_, path_, aim, error.larger(), *next))
         return report_row("step of " + short_text(taken) + " is too long for the curve (predictor error " +
                           short_text(error.larger()) + "): repeated with a shorter step");
-    const auto late = error_in_time(system_, path_, *point);
-    if (shorten_for_time(system_, path_, late, *point))
+    const auto late = error_in_time(system_, path_, *next);
+    if (shorten_for_time(system_, path_, late, *next))
         return report_row("step of " + short_text(taken) + " has " + short_text(*late) +
                           " times the error in time allowed: repeated with a shorter step");
+    if (touch && is_first_try(system_, path_, taken)) path_.first_step = round_step_size(taken);
     path_.attempts = {};
-    report_row(describe(*point) + row_text(*point, error, corrector_.last_result().iterations));
+    report_row(describe(*next) + row_text(*next, error, corrector_.last_result().iterations));
 
-    const auto contact = find_contact(corrector_, path_, listeners_, *point);
+    const auto contact = find_contact(corrector_, path_, listeners_, *next);
     const Goal* goal = aim.crossing && !contact ? aim.crossing->goal : nullptr;
-    if (const auto passed = goal != nullptr ? std::nullopt : first_between(path_.goals, *path_.last, *point)) {
+    if (const auto passed = goal != nullptr ? std::nullopt : first_between(path_.goals, *path_.last, *next)) {
         goal = passed->goal;
         point = corrector_.solve_at(frame_of(path_), goal->constraint, goal->target,
-                                    predict(&*path_.last, *point, passed->q));
+                                    predict(&*path_.last, *next, passed->q));
         if (!point) return recover();
+        next = &*point;
+        touch.reset();
     }
-    if (pass_events(events_before(*point, corrector_, path_, listeners_))) return;
+    Events events = events_before(*next, corrector_, path_, listeners_);
+    if (!touch) touch = first_contact_before(*next, corrector_, path_);
+    if (touch) events.add(std::move(*touch), path_.direction());
+    if (pass_events(std::move(events))) return;
 
     commit(std::move(*point));
     if (goal != nullptr) return end_stage(goal->text);
@@ -181,7 +203,7 @@ bool PathFollower::pass_events(Events events) {
             path_.end.bifurcations.push_back({location, event.modes, {}});
             if (event.mode) {
                 system_.prescribe(fem::no_loads(input_));
-                path_.end.bifurcations.back().mode = system_.fields().gather(*event.mode).displacement_m;
+                path_.end.bifurcations.back().mode = system_.fields().gather_displacements(*event.mode);
             }
         }
         if (event.kind == Event::Kind::first_contact) {

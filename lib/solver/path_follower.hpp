@@ -9,7 +9,7 @@
 ///   recorder.hpp       rows (with work.hpp: the work of the loads), checkpoints
 ///   path_end.hpp       ends of paths that do not reach their load
 /// What a new row changes besides the output (the internal variables of materials, the state of a contact) belongs in commit(); what is
-/// computed at a row (sensitivities) in Recorder::append; new kinds of events in events_before().
+/// computed at a row (sensitivities) in Recorder::append; new kinds of events in events_before() (first contact: step()).
 #include "solver/events.hpp"
 #include "solver/recorder.hpp"
 

@@ -33,6 +33,9 @@ constexpr double min_kinked_step = 0.1;
 /// The same for fibres where the loads are prescribed, so that the path does not turn back: the curve between rows errs far less
 /// than the predictor beyond them. With 0.1 a segment needs twice the steps for a curve that differs by less than 1e-4.
 constexpr double min_fibre_step = 0.5;
+/// In contact, the error of the state is relative to at least this motion of all nodes, as a fraction of the size of the body: a body at rest
+/// that an obstacle touches moves by powers of ten before it is loaded.
+constexpr double min_size_in_contact = 1e-4;
 /// In time the body may hardly move, or return to rest: the error of the state is relative to at least this fraction of its largest size.
 constexpr double min_step_in_time = 0.01;
 /// Bounds of the step-size factor from one step to the next; in contact the path may bend suddenly.
@@ -55,6 +58,11 @@ constexpr double negligible_error = 1e-3;
 constexpr double accepted_share = 0.5;
 /// A fraction of a step that counts as rounding: far above the rounding of sums, far below any step.
 constexpr double sliver = 1e-6;
+
+/// Norm of the unknowns where each is as large as this.
+double norm_of_motion(const fem::System& system, double motion_m) {
+    return std::sqrt(static_cast<double>(system.dofs().total)) * motion_m;
+}
 
 /// A constant step under load-factor control ends on its multiples, also after a step that was cut: rows at k x first_step.
 double next_q(const PathState& path, bool constant) {
@@ -109,12 +117,15 @@ PredictorError error_of(const fem::System& system, const PathState& path, const 
     const double error = distance(aim.forecast.x, point.state.x), change = distance(point.state.x, path.last->state.x);
     const bool in_time = stage_of(system.input(), path).time_s.has_value();
     const double own_size = linalg::norm(point.state.x), size = in_time ? std::max(own_size, path.size) : own_size;
+    const double at_rest =
+        point.touches ? norm_of_motion(system, min_size_in_contact * mesh::extent_m(system.input().mesh)) : 0.0;
     const double negligible = negligible_error * settings.step_accuracy;
     const bool is_prescribed = path.control.kind == ConstraintKind::load_factor;
     const double min_step = !may_have_kinks(system, point)    ? 0.0
                             : point.touches || !is_prescribed ? min_kinked_step
                                                               : min_fibre_step;
-    const double step = std::max(change, (in_time ? std::max(min_step, min_step_in_time) : min_step) * size);
+    const double step =
+        std::max(change, (in_time ? std::max(min_step, min_step_in_time) : min_step) * std::max(size, at_rest));
     const double load = std::abs(point.leading);
     const double load_error = std::abs(leading_of(system.input(), *path.loads, aim.forecast) - point.leading);
     const double load_step = std::max(std::abs(point.leading - path.last->leading), flat_load * load);
@@ -190,9 +201,8 @@ double longest_in_time(const PathState& path, std::optional<double> error) {
 
 bool is_first_try(const fem::System& system, const PathState& path, double step) {
     if (!path.begins_stage() || system.input().solver.steps == model::StepRule::constant) return false;
-    const double unknowns = static_cast<double>(system.dofs().total);
-    const double moves = std::abs(step) * linalg::norm(path.last->tangent.x) / std::sqrt(unknowns);
-    return moves > motionless * mesh::extent_m(system.input().mesh);
+    return std::abs(step) * linalg::norm(path.last->tangent.x) >
+           norm_of_motion(system, motionless * mesh::extent_m(system.input().mesh));
 }
 
 double next_step(const model::SolverSettings& settings, const PathState& path, const Aim& aim,

@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# An obstacle moves toward a body at rest and presses on it.   approach.sh BIN CMAKE
+. "$(dirname "${BASH_SOURCE[0]}")/check.sh"
+cat >sheet.yaml <<'END'
+family: rod
+geometry: {length: 200 mm, width: 200 mm, height: 2 mm}
+material: {law: neo-hookean, mu: 0.2 MPa, kappa: 2 MPa}
+model: quarter
+mesh: {size: 20 mm, formulation: displacement}
+supports: {fixed: fixed}
+obstacles:
+  ball: {sphere: {center: [100 mm, 0 mm, 25 mm], radius: 20 mm}}
+loads:
+  ball: {displacement: -5 mm, along: z}
+END
+runs 'mesh-gen -q sheet.yaml -o case.h5 && solve -q case.h5 --json solve.json -o result.h5'
+claim "nothing happens on the way: contact begins in row 2" [ "$(json solve.json events 0 step)" = 2 ]
+# The gap is 4 mm; facets of 20 mm act at 2 % of their size.
+claim "contact begins at (4 - 0.4) / 5 of the load" within "$(json solve.json events 0 load_factor)" 0.7200 0.7201
+claim "the body at rest needs no steps by powers of ten" awk -v n="$(json solve.json steps)" 'BEGIN { exit !(n <= 70) }'
+# Contact gives the matrix another pattern.
+solve='solve -q case.h5 --set path.until.steps=16'
+runs "$solve | postprocess -q > direct.csv; $solve --set solver.linear=krylov --set solver.preconditioner=multigrid --set solver.linear_tolerance=1e-10 --set solver.linear_limit=300 | postprocess -q > multigrid.csv"
+claim "multigrid gives the same rows in contact" near direct.csv multigrid.csv 1e-5
