@@ -35,7 +35,7 @@ constexpr double min_kinked_step = 0.1;
 constexpr double min_fibre_step = 0.5;
 /// In contact, the error of the state is relative to at least this motion of all nodes, as a fraction of the size of the body: a body at rest
 /// that an obstacle touches moves by powers of ten before it is loaded.
-constexpr double min_size_in_contact = 1e-4;
+constexpr double min_size_in_contact = 1e-5;
 /// In time the body may hardly move, or return to rest: the error of the state is relative to at least this fraction of its largest size.
 constexpr double min_step_in_time = 0.01;
 /// Bounds of the step-size factor from one step to the next; in contact the path may bend suddenly.
