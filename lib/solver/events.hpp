@@ -18,8 +18,8 @@ struct Event {
 };
 
 struct Events {
-    std::vector<Event> list;  ///< in the order of the path
-    void add(Event event, double direction);
+    std::vector<Event> list;                  ///< in the order of the path
+    void add(Event event, double direction);  ///< of the path: 1 or -1
     std::string control_ends;  ///< why the user-selected control cannot continue beyond the first extremum; else empty
 };
 

@@ -116,57 +116,47 @@ void PathFollower::step() {
     if (!point) return recover();
 
     PredictorError error = error_of(system_, path_, aim, *point);
-    PathPoint* next = &*point;
     std::optional<Event> touch;
-    const bool refused = is_refused(system_, path_, error, *point);
-    const double rejected_error = error.state;
-    const Corrector::Memory memory = corrector_.memory();
-    if (refused && !path_.attempts.rejected_error) touch = first_contact_before(*point, corrector_, path_);
-    if (touch) {  // the step goes to where contact begins, if the path is predicted up to there
-        next = &touch->point;
-        aim.crossing.reset();
-        aim.forecast = predict(aim.straight ? nullptr : &*path_.before, *path_.last, next->q);
-        error = error_of(system_, path_, aim, *next);
-    }
-    if (refused && (!touch || is_refused(system_, path_, error, *next))) {
-        corrector_.restore(memory);
-        path_.attempts.rejected_error = rejected_error;
+    if (is_refused(system_, path_, error, *point) && !(touch = stop_at_contact(aim, *point, error))) {
+        path_.attempts.rejected_error = error.state;
         return recover();
     }
-    path_.attempts.crossing = find_crossing(corrector_, listeners_, *next);
+    path_.attempts.crossing = find_crossing(corrector_, listeners_, *point);
     if (path_.attempts.crossing) {
         path_.refused = {path_.rows, *path_.attempts.crossing};
         return recover();
     }
     const bool has_friction = system_.contact().has_friction();
-    const bool stays_in_contact = next->touches && path_.last->touches && !has_friction;
+    const bool stays_in_contact = point->touches && path_.last->touches && !has_friction;
     const bool may_jump =
         stays_in_contact || ((system_.has_kinks() || has_friction) && path_.attempts.failures < failures_before_kink);
-    if (may_jump && breaks_energy_balance(corrector_, path_, *next)) return recover();
-    const double taken = next->q - path_.last->q;
-    if (shorten_for_the_curve(system_, path_, aim, error.larger(), *next))
+    if (may_jump && breaks_energy_balance(corrector_, path_, *point)) return recover();
+    const double taken = point->q - path_.last->q;
+    if (shorten_for_the_curve(system_, path_, aim, error.larger(), *point))
         return report_row("step of " + short_text(taken) + " is too long for the curve (predictor error " +
                           short_text(error.larger()) + "): repeated with a shorter step");
-    const auto late = error_in_time(system_, path_, *next);
-    if (shorten_for_time(system_, path_, late, *next))
+    const auto late = error_in_time(system_, path_, *point);
+    if (shorten_for_time(system_, path_, late, *point))
         return report_row("step of " + short_text(taken) + " has " + short_text(*late) +
                           " times the error in time allowed: repeated with a shorter step");
     if (touch && is_first_try(system_, path_, taken)) path_.first_step = round_step_size(taken);
     path_.attempts = {};
-    report_row(describe(*next) + row_text(*next, error, corrector_.last_result().iterations));
+    report_row(describe(*point) + row_text(*point, error, corrector_.last_result().iterations));
 
-    const auto contact = find_contact(corrector_, path_, listeners_, *next);
+    const auto contact = find_contact(corrector_, path_, listeners_, *point);
     const Goal* goal = aim.crossing && !contact ? aim.crossing->goal : nullptr;
-    if (const auto passed = goal != nullptr ? std::nullopt : first_between(path_.goals, *path_.last, *next)) {
+    if (const auto passed = goal != nullptr ? std::nullopt : first_between(path_.goals, *path_.last, *point)) {
         goal = passed->goal;
         point = corrector_.solve_at(frame_of(path_), goal->constraint, goal->target,
-                                    predict(&*path_.last, *next, passed->q));
+                                    predict(&*path_.last, *point, passed->q));
         if (!point) return recover();
-        next = &*point;
         touch.reset();
     }
-    Events events = events_before(*next, corrector_, path_, listeners_);
-    if (!touch) touch = first_contact_before(*next, corrector_, path_);
+    Events events = events_before(*point, corrector_, path_, listeners_);
+    if (touch)
+        touch->point = std::move(*point);
+    else
+        touch = first_contact_before(*point, corrector_, path_);
     if (touch) events.add(std::move(*touch), path_.direction());
     if (pass_events(std::move(events))) return;
 
@@ -178,6 +168,24 @@ void PathFollower::step() {
     path_.step = next_step(input_.solver, path_, aim, error, corrector_.last_result());
     if (limits_steps_in_time(system_, path_)) path_.step = std::min(path_.step, longest_in_time(path_, late));
     if (const auto change = better_control(system_, path_)) change_control(*change);
+}
+
+std::optional<Event> PathFollower::stop_at_contact(Aim& aim, PathPoint& point, PredictorError& error) {
+    if (path_.attempts.rejected_error) return std::nullopt;
+    const Corrector::Memory memory = corrector_.memory();
+    if (auto touch = first_contact_before(point, corrector_, path_)) {
+        Aim there{.straight = aim.straight};
+        there.forecast = predict(aim.straight ? nullptr : &*path_.before, *path_.last, touch->point.q);
+        const PredictorError error_there = error_of(system_, path_, there, touch->point);
+        if (!is_refused(system_, path_, error_there, touch->point)) {
+            aim = std::move(there);
+            error = error_there;
+            std::swap(point, touch->point);
+            return touch;
+        }
+    }
+    corrector_.restore(memory);
+    return std::nullopt;
 }
 
 void PathFollower::commit(PathPoint point) {
