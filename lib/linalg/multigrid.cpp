@@ -79,6 +79,7 @@ PetscErrorCode guarded(Work&& work) {
 class Multigrid::Parts {
 public:
     explicit Parts(const ElementLevels& levels);
+
     /// Returns the code of the V-cycle, whose failure is numerical and not a program error.
     [[nodiscard]] PetscErrorCode set_up(Mat K);
     [[nodiscard]] PetscErrorCode apply(Vec from, Vec to);
