@@ -33,15 +33,15 @@ std::vector<bool> flooded(const BodySurface& surface, std::size_t start, const s
         around[sides[1]][count[sides[1]]++] = sides[0];
     }
     std::vector<bool> in(surface.triangles.size());
-    std::vector<std::size_t> todo{start};
+    std::vector<std::size_t> pending{start};
     in[start] = true;
-    while (!todo.empty()) {
-        const std::size_t t = todo.back();
-        todo.pop_back();
+    while (!pending.empty()) {
+        const std::size_t t = pending.back();
+        pending.pop_back();
         for (std::size_t k = 0; k < count[t]; ++k)
             if (const std::size_t next = around[t][k]; !in[next] && !barred[next]) {
                 in[next] = true;
-                todo.push_back(next);
+                pending.push_back(next);
             }
     }
     return in;

@@ -148,11 +148,11 @@ private:
         constexpr double too_long = 4.0 / 3.0;
         for (bool any = true; any;) {
             any = false;
-            std::vector<std::pair<double, EdgeIndex>> todo;
+            std::vector<std::pair<double, EdgeIndex>> pending;
             for (const EdgeIndex e : mesh_.edges())
-                if (const double ratio = length(e) / requested(e); ratio > too_long) todo.emplace_back(-ratio, e);
-            std::ranges::sort(todo);
-            for (const auto& [ratio, e] : todo) {
+                if (const double ratio = length(e) / requested(e); ratio > too_long) pending.emplace_back(-ratio, e);
+            std::ranges::sort(pending);
+            for (const auto& [ratio, e] : pending) {
                 if (mesh_.number_of_vertices() >= max_points) return false;
                 split(e);
                 any = true;
@@ -178,11 +178,11 @@ private:
 
     void collapse() {
         constexpr double too_short = 0.8;
-        std::vector<std::pair<double, EdgeIndex>> todo;
+        std::vector<std::pair<double, EdgeIndex>> pending;
         for (const EdgeIndex e : mesh_.edges())
-            if (const double ratio = length(e) / requested(e); ratio < too_short) todo.emplace_back(ratio, e);
-        std::ranges::sort(todo);
-        for (const auto& [ratio, e] : todo) {
+            if (const double ratio = length(e) / requested(e); ratio < too_short) pending.emplace_back(ratio, e);
+        std::ranges::sort(pending);
+        for (const auto& [ratio, e] : pending) {
             if (mesh_.is_removed(e) || length(e) >= too_short * requested(e)) continue;
             const Halfedge h = mesh_.halfedge(e);
             const auto one = after_collapse(h), other = after_collapse(mesh_.opposite(h));
