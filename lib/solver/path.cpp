@@ -117,9 +117,12 @@ void PathFollower::step() {
 
     PredictorError error = error_of(system_, path_, aim, *point);
     std::optional<Event> touch;
-    if (is_refused(system_, path_, error, *point) && !(touch = stop_at_contact(aim, *point, error))) {
-        path_.attempts.rejected_error = error.state;
-        return recover();
+    if (is_refused(system_, path_, error, *point)) {
+        touch = stop_at_contact(aim, *point, error);
+        if (!touch) {
+            path_.attempts.rejected_error = error.state;
+            return recover();
+        }
     }
     path_.attempts.crossing = find_crossing(corrector_, listeners_, *point);
     if (path_.attempts.crossing) {
