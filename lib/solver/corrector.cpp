@@ -23,25 +23,27 @@ bool Corrector::correct(const Constraint& constraint, double target, State& stat
 }
 
 std::optional<PathPoint> Corrector::solve_at(const Frame& frame, const Constraint& constraint, double target,
-                                             State guess) {
-    fem::Contact& contact = system_.contact();
-    if (!frame.last.touches && !contact.has_friction()) {
+                                             State guess, WithContact contact) {
+    if (contact == WithContact::where_touched && !frame.last.touches) {
         const Memory before = memory();
-        contact.set_resting(true);
-        auto point = solve_from(frame, constraint, target, copy_of(guess));
-        if (!point) return std::nullopt;
-        contact.set_resting(false);
-        // A step may be longer than an obstacle is thick.
-        const bool passes_through = !input().obstacles.empty() && !point->touches &&
-                                    newton_.share_without_crossing(frame.last.state, point->state) < 1.0;
-        if (!point->touches && !passes_through) {
-            contact.set_resting(true);
-            return point;
-        }
+        auto point = solve_at(frame, constraint, target, copy_of(guess), WithContact::no);
+        if (!point || !meets_contact(frame, *point)) return point;
         restore(before);
     }
-    contact.set_resting(false);
-    return solve_from(frame, constraint, target, std::move(guess));
+    system_.contact().set_resting(contact == WithContact::no);
+    auto point = solve_from(frame, constraint, target, std::move(guess));
+    if (!point && system_.contact().has_friction()) system_.contact().set_resting(false);
+    return point;
+}
+
+bool Corrector::meets_contact(const Frame& frame, const PathPoint& point) {
+    system_.contact().set_resting(false);
+    // A step may be longer than an obstacle is thick.
+    const bool passes_through =
+        !input().obstacles.empty() && newton_.share_without_crossing(frame.last.state, point.state) < 1.0;
+    const bool meets = point.touches || passes_through;
+    system_.contact().set_resting(!meets && !system_.contact().has_friction());
+    return meets;
 }
 
 std::optional<PathPoint> Corrector::solve_from(const Frame& frame, const Constraint& constraint, double target,
@@ -64,10 +66,7 @@ std::optional<PathPoint> Corrector::solve_between(const Frame& frame, const Path
     constraint.scale = std::abs(b.q - a.q);
     const bool by_arc = constraint.kind == ConstraintKind::arc;
     const double target = by_arc ? value(constraint, frame.loads, guess) : q;
-    const bool rests = contact == WithContact::no;
-    if (rests) system_.contact().set_resting(true);
-    auto point = rests ? solve_from(frame, constraint, target, std::move(guess))
-                       : solve_at(frame, constraint, target, std::move(guess));
+    auto point = solve_at(frame, constraint, target, std::move(guess), contact);
     if (point && by_arc) point->q = q;
     return point;
 }

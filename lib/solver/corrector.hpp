@@ -22,7 +22,8 @@ struct WorkCount {
     int iterations = 0, factorizations = 0;
 };
 
-enum class WithContact { no, yes };
+/// Without contact, bodies pass through each other, and the path does not bend.
+enum class WithContact { no, yes, where_touched };
 
 class Corrector {
 public:
@@ -32,13 +33,16 @@ public:
     /// Moves `state` to equilibrium where the constraint has its target; last_result() is the outcome.
     [[nodiscard]] bool correct(const Constraint& constraint, double target, State& state);
 
-    /// Where the frame's last point touches nothing, contact rests as long as nothing touches, so that it costs nothing and does not change
-    /// the iterates.
+    /// With contact `where_touched`, a path that touches nothing is solved without it, so that it costs nothing and does not change the
+    /// iterates, and again with it where something touches.
     [[nodiscard]] std::optional<PathPoint> solve_at(const Frame& frame, const Constraint& constraint, double target,
-                                                    State guess);
-    /// The state at q between two points of the path. Without contact, bodies pass through each other, and the path does not bend.
+                                                    State guess, WithContact contact = WithContact::where_touched);
+    /// The state at q between two points of the path.
     [[nodiscard]] std::optional<PathPoint> solve_between(const Frame& frame, const PathPoint& a, const PathPoint& b,
-                                                         double q, WithContact contact = WithContact::yes);
+                                                         double q, WithContact contact = WithContact::where_touched);
+    /// Whether a state solved without contact touches or has passed through anything. Contact rests where it does not; with friction it never
+    /// rests, since energy may have been dissipated before.
+    [[nodiscard]] bool meets_contact(const Frame& frame, const PathPoint& point);
     /// A converged state with its values. The arc length continues from the frame's last point.
     [[nodiscard]] PathPoint measure(const Frame& frame, State state, PathTangent tangent);
     /// Value of a constraint at a state.

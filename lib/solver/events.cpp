@@ -223,17 +223,22 @@ contact::Summary contact_at(Corrector& corrector, const PathState& path, const S
     return corrector.system().contact().measure(state.x);
 }
 
-/// The first state in contact. Without contact, so that bodies pass through each other, the path does not bend: the cubic between two of its
-/// states tells where the next ones are solved for, on both sides of the contact. nullopt where this fails.
-std::optional<PathPoint> first_in_contact(Corrector& corrector, const PathState& path, const PathPoint& to) {
+/// The first state in contact. Without contact the path does not bend: the cubic between two of its states tells where the next ones are
+/// solved for, on both sides of the contact. nullopt where this fails.
+std::optional<PathPoint> first_in_contact(Corrector& corrector, const PathState& path, const PathPoint& to,
+                                          WithContact solved) {
     const Frame frame = frame_of(path);
     const double resolution = std::ldexp(to.q - path.last->q, -first_contact_halvings),
                  margin = beside_contact * std::abs(resolution);
-    Bracket bracket{*path.last, to, {}, corrector.solve_between(frame, *path.last, to, to.q, WithContact::no)};
-    for (int i = 0; i < first_contact_halvings && bracket.right && bracket.right->touches; ++i) {
+    Bracket bracket{*path.last, to};
+    if (solved != WithContact::no) {
+        bracket.right = corrector.solve_between(frame, *path.last, to, to.q, WithContact::no);
+        if (!bracket.right) return std::nullopt;
+    }
+    for (int i = 0; i < first_contact_halvings && bracket.high().touches; ++i) {
         const PathPoint &a = bracket.low(), &b = bracket.high();
         if (std::abs(b.q - a.q) <= std::abs(resolution)) {
-            auto touching = corrector.solve_between(frame, a, b, b.q);
+            auto touching = corrector.solve_between(frame, a, b, b.q, WithContact::yes);
             return touching && touching->touches ? std::move(touching) : std::nullopt;
         }
         double before = a.q, after = b.q;
@@ -298,10 +303,11 @@ std::optional<ContactEvent> find_crossing(Corrector& corrector, const Listeners&
     return listeners.contact(point.state.x);
 }
 
-std::optional<Event> first_contact_before(const PathPoint& to, Corrector& corrector, const PathState& path) {
+std::optional<Event> first_contact_before(const PathPoint& to, Corrector& corrector, const PathState& path,
+                                          WithContact solved) {
     if (!to.touches || path.last->touches) return std::nullopt;
-    auto touching = first_in_contact(corrector, path, to);
-    if (!touching) touching = bisect_first_contact(corrector, path, to);
+    auto touching = first_in_contact(corrector, path, to, solved);
+    if (!touching && solved != WithContact::no) touching = bisect_first_contact(corrector, path, to);
     const contact::Summary touch = contact_at(corrector, path, touching ? touching->state : to.state);
     if (!touching) return std::nullopt;
     return Event{Event::Kind::first_contact, std::move(*touching), 0, {}, touch.touched, *touch.location};

@@ -32,9 +32,9 @@ struct Events {
 [[nodiscard]] std::optional<ContactEvent> find_crossing(Corrector& corrector, const Listeners& listeners,
                                                         const PathPoint& point);
 
-/// Where contact begins, if nothing touches at the last row.
+/// Where contact begins, if nothing touches at the last row. nullopt also where this is not found before a state `solved` without contact.
 [[nodiscard]] std::optional<Event> first_contact_before(const PathPoint& to, Corrector& corrector,
-                                                        const PathState& path);
+                                                        const PathState& path, WithContact solved);
 
 /// The other events between the last row and `to`.
 [[nodiscard]] Events events_before(const PathPoint& to, Corrector& corrector, const PathState& path,

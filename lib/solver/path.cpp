@@ -111,18 +111,14 @@ void PathFollower::step() {
 
     corrector_.newton().couple_contact(path_.last->state);
     Aim aim = aim_of(path_, corrector_);
-    auto point =
-        corrector_.solve_at(frame_of(path_), aim.constraint, aim.target, guess_of(aim, path_, input_.solver.predictor));
+    std::optional<Event> touch;
+    auto point = solve_step(aim, touch);
     if (!point) return recover();
 
-    PredictorError error = error_of(system_, path_, aim, *point);
-    std::optional<Event> touch;
+    const PredictorError error = error_of(system_, path_, aim, *point);
     if (is_refused(system_, path_, error, *point)) {
-        touch = stop_at_contact(aim, *point, error);
-        if (!touch) {
-            path_.attempts.rejected_error = error.state;
-            return recover();
-        }
+        path_.attempts.rejected_error = error.state;
+        return recover();
     }
     path_.attempts.crossing = find_crossing(corrector_, listeners_, *point);
     if (path_.attempts.crossing) {
@@ -159,7 +155,7 @@ void PathFollower::step() {
     if (touch)
         touch->point = std::move(*point);
     else
-        touch = first_contact_before(*point, corrector_, path_);
+        touch = first_contact_before(*point, corrector_, path_, WithContact::yes);
     if (touch) events.add(std::move(*touch), path_.direction());
     if (pass_events(std::move(events))) return;
 
@@ -173,22 +169,21 @@ void PathFollower::step() {
     if (const auto change = better_control(system_, path_)) change_control(*change);
 }
 
-std::optional<Event> PathFollower::stop_at_contact(Aim& aim, PathPoint& point, PredictorError& error) {
-    if (path_.attempts.rejected_error) return std::nullopt;
-    const Corrector::Memory memory = corrector_.memory();
-    if (auto touch = first_contact_before(point, corrector_, path_)) {
-        Aim there{.straight = aim.straight};
-        there.forecast = predict(aim.straight ? nullptr : &*path_.before, *path_.last, touch->point.q);
-        const PredictorError error_there = error_of(system_, path_, there, touch->point);
-        if (!is_refused(system_, path_, error_there, touch->point)) {
-            aim = std::move(there);
-            error = error_there;
-            std::swap(point, touch->point);
-            return touch;
+std::optional<PathPoint> PathFollower::solve_step(Aim& aim, std::optional<Event>& touch) {
+    const Frame frame = frame_of(path_);
+    State guess = guess_of(aim, path_, input_.solver.predictor);
+    if (!frame.last.touches) {
+        const Corrector::Memory memory = corrector_.memory();
+        auto point = corrector_.solve_at(frame, aim.constraint, aim.target, copy_of(guess), WithContact::no);
+        if (!point || !corrector_.meets_contact(frame, *point)) return point;
+        if ((touch = first_contact_before(*point, corrector_, path_, WithContact::no))) {
+            aim = Aim{.straight = aim.straight};
+            aim.forecast = predict(aim.straight ? nullptr : &*path_.before, *path_.last, touch->point.q);
+            return std::move(touch->point);
         }
+        corrector_.restore(memory);
     }
-    corrector_.restore(memory);
-    return std::nullopt;
+    return corrector_.solve_at(frame, aim.constraint, aim.target, std::move(guess), WithContact::yes);
 }
 
 void PathFollower::commit(PathPoint point) {

@@ -17,7 +17,6 @@ namespace soft::solver {
 
 struct Aim;
 struct ControlChange;
-struct PredictorError;
 
 class PathFollower {
 public:
@@ -34,9 +33,8 @@ private:
     /// Appends the events before the next state; true if the path ends or turns at one.
     [[nodiscard]] bool pass_events(Events events);
     [[nodiscard]] bool take_branch(Event& bifurcation);
-    /// A refused step in which contact begins goes to where it begins, if the path is predicted up to there: changes aim, point and error.
-    /// Not if another attempt at this row was refused.
-    [[nodiscard]] std::optional<Event> stop_at_contact(Aim& aim, PathPoint& point, PredictorError& error);
+    /// The state at the aim. Where contact begins before it, the state where it begins, which is found without contact: then the aim is there.
+    [[nodiscard]] std::optional<PathPoint> solve_step(Aim& aim, std::optional<Event>& touch);
     void recover();
     /// Continues beyond a kink or a snap from `point`, which has no cubic with the rows before.
     void go_on_from(PathPoint point);
