@@ -72,7 +72,7 @@ MemoryRange expected_memory(long long unknowns, int dimension) {
     constexpr double process_MB = 50, multigrid_from = 5e5;
     const double n = static_cast<double>(std::max(unknowns, 2LL)), dissected = n * std::log2(n);
     if (dimension < 3) return {process_MB + 1.15e-4 * dissected, process_MB + 1.15e-4 * dissected};
-    if (n > multigrid_from) return {process_MB + 6.5e-3 * n, process_MB + 6.5e-3 * n};
+    if (n > multigrid_from) return {process_MB + 6.5e-3 * n, process_MB + 1.4e-2 * n};
     return {process_MB + 5e-4 * dissected, process_MB + std::max(5e-4 * dissected, 6e-4 * std::pow(n, 4.0 / 3.0))};
 }
 

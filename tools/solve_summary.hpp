@@ -57,8 +57,8 @@ struct ProcessTimes {
 [[nodiscard]] double peak_memory_MB();  ///< of this process so far
 
 /// Peak memory of a solve with the default linear solver on one rank [MB], from its number of unknowns n: 50 and 1.15e-4 n log2 n in
-/// sections, in solids from 5e-4 n log2 n (thin walls) to 6e-4 n^(4/3) (compact blocks), 6.5e-3 n beyond 500,000 unknowns, where
-/// multigrid is used. The growth is that of nested dissection (George, SIAM J. Numer. Anal. 10 (1973) 345), the constants are
+/// sections, in solids from 5e-4 n log2 n (thin walls) to 6e-4 n^(4/3) (compact blocks); beyond 500,000 unknowns 6.5e-3 n, by
+/// multigrid or in a sheet, to 1.4e-2 n, the largest factorisation chosen in place of multigrid (fem/element_levels.hpp). The growth is that of nested dissection (George, SIAM J. Numer. Anal. 10 (1973) 345), the constants are
 /// measured on bellows, tubes, a finger and blocks from 2,000 to 1,090,000 unknowns. Stored rows need additional memory.
 struct MemoryRange {
     double low_MB = 0, high_MB = 0;

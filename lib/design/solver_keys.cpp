@@ -44,7 +44,7 @@ Settings<Solver> linear_settings() {
                 {"krylov", LinearMethod::krylov},
                 {"jacobian-free", LinearMethod::jacobian_free}},
                "solver of the linear systems; auto is LDL^T, mumps-lu where the tangent is not symmetric, and "
-               "krylov with multigrid for solids of more than 500,000 unknowns"),
+               "krylov with multigrid for compact solids of more than 500,000 unknowns"),
         choice("preconditioner", &Linear::preconditioner,
                {{"lu", Preconditioner::lu},
                 {"asm-lu", Preconditioner::asm_lu},

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/error.hpp"
 #include "fem/near_nullspace.hpp"
 #include "fem/pressure_mass.hpp"
+#include "linalg/multifrontal.hpp"
 #include "mesh/shape.hpp"
 
 namespace soft::fem {
@@ -164,11 +166,35 @@ linalg::ElementLevels make_element_levels(const System& system) {
     return levels;
 }
 
+double most_flops(PetscInt unknowns) {
+    const double n = unknowns;
+    return std::min(flops_of_multigrid * n, most_entries * most_entries / n);
+}
+
+double predicted_flops(const mesh::Mesh& mesh, PetscInt unknowns) {
+    std::vector<PetscInt> rows, columns;
+    for (Index cell = 0; cell < mesh.cell_count(); ++cell)
+        for (const Index a : mesh.cell_nodes(cell))
+            for (const Index b : mesh.cell_nodes(cell)) {
+                rows.push_back(static_cast<PetscInt>(a));
+                columns.push_back(static_cast<PetscInt>(b));
+            }
+    const auto nodes = static_cast<PetscInt>(mesh.points.size());
+    linalg::Matrix graph;
+    SOFT_PETSC(MatCreate(PETSC_COMM_SELF, graph.out()));
+    SOFT_PETSC(MatSetSizes(graph, nodes, nodes, nodes, nodes));
+    SOFT_PETSC(MatSetType(graph, MATSEQAIJ));
+    SOFT_PETSC(MatSetPreallocationCOO(graph, static_cast<PetscCount>(rows.size()), rows.data(), columns.data()));
+    return linalg::Multifrontal(graph).flops() * std::pow(static_cast<double>(unknowns) / nodes, 3.0);
+}
+
 model::LinearSettings choose_linear(model::LinearSettings wanted, const model::Case& input, PetscInt unknowns) {
     const bool second_order =
         std::ranges::all_of(input.mesh.cell_types, [](mesh::CellType type) { return mesh::topology(type).order == 2; });
-    const bool large = unknowns > max_factorised && input.mesh.dimension == 3 && second_order;
-    if (wanted.method != model::LinearMethod::automatic || !large) return wanted;
+    const bool large = unknowns > always_factorised && input.mesh.dimension == 3 && second_order;
+    if (wanted.method != model::LinearMethod::automatic || !large ||
+        predicted_flops(input.mesh, unknowns) <= most_flops(unknowns))
+        return wanted;
     return {model::LinearMethod::krylov, model::Preconditioner::multigrid, newton_gain, max_iterations};
 }
 

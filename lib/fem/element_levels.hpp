@@ -11,13 +11,23 @@ namespace soft::fem {
 /// Throws Error (bad_input, "solver.preconditioner") for a first-order mesh or if no vertex is free.
 [[nodiscard]] linalg::ElementLevels make_element_levels(const System& system);
 
-/// With LinearMethod::automatic, solids of second-order cells with more unknowns than this are solved by multigrid. Measured for one
-/// tangent and one right-hand side to 1e-8 (CPU s and GiB, LDL^T : multigrid): compact, a box of 119k 29 : 11 s, 1.8 : 0.8; slender,
-/// the bellows of 446k 51 : 101 s, 4.6 : 3.1. Up to this limit LDL^T, which also provides the inertia, is fast enough or faster;
-/// beyond it the factor of a compact body exceeds 12 GiB (N^(4/3)).
-inline constexpr PetscInt max_factorised = 500000;
+/// With LinearMethod::automatic, solids of second-order cells with up to this number of unknowns are factorised: LDL^T also provides the
+/// inertia. Measured for one tangent and one right-hand side to 1e-8 (CPU s and GiB, LDL^T by MUMPS : multigrid): compact, a box of 119k
+/// 29 : 11 s, 1.8 : 0.8; slender, the bellows of 446k 51 : 101 s, 4.6 : 3.1.
+inline constexpr PetscInt always_factorised = 500000;
+/// A solve by multigrid takes as long as a factorisation with this many flops for each unknown: 0.9e-4 to 2.3e-4 s (above), at 20 GFlop/s.
+inline constexpr double flops_of_multigrid = 3e6;
+/// Entries of the factor that an int can count, 17 GB.
+inline constexpr double most_entries = 2147483647;
 
-/// The linear solver settings for a case with this number of unknowns: automatic becomes multigrid for large solids, with a tolerance
+/// Larger solids with at most this many flops are factorised as well: fewer than those of multigrid, and few enough for the entries of the
+/// factor, as flops >= entries^2 / unknowns.
+[[nodiscard]] double most_flops(PetscInt unknowns);
+
+/// Flops of LDL^T by nested dissection, from the graph of the nodes, each with the same share of the unknowns.
+[[nodiscard]] double predicted_flops(const mesh::Mesh& mesh, PetscInt unknowns);
+
+/// The linear solver settings for a case with this number of unknowns: automatic becomes multigrid where that is faster, with a tolerance
 /// at which Newton's method gains six digits per iteration; explicit choices are kept.
 [[nodiscard]] model::LinearSettings choose_linear(model::LinearSettings wanted, const model::Case& input,
                                                   PetscInt unknowns);

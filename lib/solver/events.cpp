@@ -11,7 +11,7 @@ namespace soft::solver {
 namespace {
 
 /// A limit point is located until its load is known to this relative accuracy (estimated from the slope's parabola).
-constexpr double limit_point_tolerance = 1e-8;
+constexpr double limit_point_tolerance = 1e-10;
 constexpr int limit_point_solves = 12;
 /// A bifurcation is located until the load changes by less than this fraction of itself over the bracket.
 constexpr double bifurcation_tolerance = 1e-6;

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/error.hpp"
+#include "linalg/multifrontal.hpp"
 #include "mesh/split.hpp"
 #include "sample_cases.hpp"
 
@@ -110,19 +111,45 @@ TEST(ElementLevels, MassOfAConstantPressureIsTheVolume) {
     EXPECT_NEAR(sum, wanted, 1e-12 * wanted);
 }
 
-TEST(ElementLevels, AutomaticSelectsMultigridOnlyForLargeSecondOrderSolids) {
-    const auto box = box_case(1, false), section = sphere_case(1, 2);
-    auto first_order = box;
+/// The connectivity of a row of hexahedra with four vertices between two of them.
+mesh::Mesh row_of_cells(mesh::Index count) {
+    mesh::Mesh mesh;
+    mesh.points.resize(static_cast<std::size_t>(4 * (count + 1)));
+    for (mesh::Index k = 0; k < count; ++k) {
+        std::array<mesh::Index, 27> cell{};
+        for (mesh::Index a = 0; a < 27; ++a) cell[static_cast<std::size_t>(a)] = 4 * k + a % 8;
+        mesh::add_cell(mesh, mesh::CellType::hex27, cell, 0);
+    }
+    return mesh;
+}
+
+TEST(ElementLevels, AutomaticSelectsMultigridOnlyForLargeCompactSecondOrderSolids) {
+    const auto box = box_case(3, false), section = sphere_case(1, 2);
+    auto first_order = box, slender = box;
     first_order.mesh.cell_types = {mesh::CellType::hex8};
+    slender.mesh = row_of_cells(2000);
     const auto is_multigrid = [](const model::LinearSettings& settings) {
         return settings.method == model::LinearMethod::krylov &&
                settings.preconditioner == model::Preconditioner::multigrid;
     };
-    EXPECT_TRUE(is_multigrid(choose_linear({}, box, max_factorised + 1)));
-    EXPECT_FALSE(is_multigrid(choose_linear({}, box, max_factorised)));
-    EXPECT_FALSE(is_multigrid(choose_linear({}, section, max_factorised + 1)));
-    EXPECT_FALSE(is_multigrid(choose_linear({}, first_order, max_factorised + 1)));
-    EXPECT_FALSE(is_multigrid(choose_linear({.method = model::LinearMethod::mumps_ldlt}, box, max_factorised + 1)));
+    EXPECT_TRUE(is_multigrid(choose_linear({}, box, always_factorised + 1)));
+    EXPECT_FALSE(is_multigrid(choose_linear({}, box, always_factorised)));
+    EXPECT_FALSE(is_multigrid(choose_linear({}, slender, always_factorised + 1)));
+    EXPECT_FALSE(is_multigrid(choose_linear({}, section, always_factorised + 1)));
+    EXPECT_FALSE(is_multigrid(choose_linear({}, first_order, always_factorised + 1)));
+    EXPECT_FALSE(is_multigrid(choose_linear({.method = model::LinearMethod::mumps_ldlt}, box, always_factorised + 1)));
+}
+
+TEST(ElementLevels, PredictsTheFlopsOfTheFactorisation) {
+    for (const int n : {6, 10})
+        for (const bool incompressible : {false, true}) {
+            const auto input = box_case(n, incompressible);
+            System system(input, PETSC_COMM_WORLD);
+            const linalg::Matrix K = system.make_matrix();
+            const double ratio = predicted_flops(input.mesh, system.dofs().total) / linalg::Multifrontal(K).flops();
+            EXPECT_GT(ratio, 0.6) << n << incompressible;
+            EXPECT_LT(ratio, 2.0) << n << incompressible;  // fronts of few nodes are merged, with zeros
+        }
 }
 
 TEST(ElementLevels, RejectsFirstOrderCells) {
