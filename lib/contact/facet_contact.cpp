@@ -246,7 +246,9 @@ void FacetContact::add_feature(std::size_t q, const Point& x, const Feature& fea
 
 void FacetContact::add_smooth(std::size_t q, const Point& x, const SmoothObstacle& obstacle) {
     const Distance d = obstacle.at(x, at_.shifts);
-    const double h = entry_.h_m[q], initial = obstacle.distance(entry_.X[q]).value_m;
+    const double h = entry_.h_m[q];
+    if (!at_.rests && d.value_m >= h) return;  // at rest the clearance counts
+    const double initial = obstacle.distance(entry_.X[q]).value_m;
     const bool mirror = obstacle.index < 0;
     if (mirror && initial <= same_point * entry_.size_m) return;
     const bool along_rubber =
