@@ -1,29 +1,37 @@
 // Tests a report in a browser: it loads, the slider moves the body, the pointer rotates it, nothing is fetched, no error is logged.
-//   node report.mjs REPORT.html LENGTH_MM ELONGATION_MM [PICTURES]     PICTURES: folder for screenshots
-// LENGTH_MM is the undeformed length along x, ELONGATION_MM the elongation of the last step.
+//   node report.mjs REPORT.html LENGTH_MM ELONGATION_MM PICTURES [moving]     PICTURES: folder for screenshots
+// LENGTH_MM is the undeformed length along x, ELONGATION_MM the elongation of the last step or ''; moving: an obstacle moves.
 import { writeFileSync } from 'node:fs';
 import { claim, testPage } from './page.mjs';
 
-const [file, length, elongation, pictures] = process.argv.slice(2);
+const [file, length, elongation, pictures, obstacle] = process.argv.slice(2);
 await testPage(file, { width: 1000, height: 1200 }, async (page, browser) => {
   const text = (id) => page.$eval(`#${id}`, (element) => element.textContent);
   const body = await page.$('#body');
-  // The fraction of pixels that are not white, decoded by the browser in a page without the report's policy.
+  // The fraction of pixels that are not white, and the number and mean position of those of an obstacle's lines, decoded by the browser in a
+  // page without the report's policy.
   const eye = await browser.newPage();
   const look = async (name) => {
     await page.bringToFront();
     const png = await body.screenshot();
-    if (pictures) writeFileSync(`${pictures}/${name}.png`, png);
-    const inked = await eye.evaluate(async (base64) => {
+    writeFileSync(`${pictures}/${name}.png`, png);
+    const seen = await eye.evaluate(async (base64) => {
       const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${base64}`)).blob());
       const canvas = new OffscreenCanvas(bitmap.width, bitmap.height), context = canvas.getContext('2d');
       context.drawImage(bitmap, 0, 0);
       const pixels = context.getImageData(0, 0, bitmap.width, bitmap.height).data;
-      let count = 0;
-      for (let i = 0; i < pixels.length; i += 4) count += pixels[i] + pixels[i + 1] + pixels[i + 2] < 600 ? 1 : 0;
-      return 4 * count / pixels.length;
+      let count = 0, blue = 0, x = 0, y = 0;
+      for (let i = 0; i < pixels.length; i += 4) {
+        const [r, g, b] = pixels.slice(i, i + 3);
+        if (r + g + b < 600) count += 1;
+        if (r < 100 || b - r < 50 || b - g < 30) continue;
+        blue += 1;
+        x += i / 4 % bitmap.width;
+        y += Math.floor(i / 4 / bitmap.width);
+      }
+      return { inked: 4 * count / pixels.length, blue, middle: [x / blue, y / blue] };
     }, Buffer.from(png).toString('base64'));
-    return { png: Buffer.from(png).toString('base64'), inked };
+    return { png: Buffer.from(png).toString('base64'), ...seen };
   };
   const size_x = async () => Number(/drawn: ([0-9.]+) /.exec(await text('size'))[1]);
   const slide = (value) => page.$eval('#frame', (slider, to) => {
@@ -35,12 +43,15 @@ await testPage(file, { width: 1000, height: 1200 }, async (page, browser) => {
   const last = await look('last');
   claim('the body fills part of its window', last.inked > 0.01 && last.inked < 0.9, last.inked);
   const end = await size_x();
-  claim('the length in the last step matches the result', Math.abs(end - length - elongation) < 0.01 * end, end);
+  if (elongation) claim('the length in the last step matches the result', Math.abs(end - length - elongation) < 0.01 * end, end);
 
   await slide(0);
   const first = await look('first');
   claim('the slider moves the body', first.png !== last.png && first.inked > 0.005, first.inked);
   claim('the first step has the undeformed length', Math.abs(await size_x() - length) < 0.005 * length, await size_x());
+  claim('an obstacle is drawn where there is one', obstacle ? first.blue > 200 && last.blue > 200 : last.blue < 50, last.blue);
+  const way = Math.hypot(last.middle[0] - first.middle[0], last.middle[1] - first.middle[1]);
+  if (obstacle) claim('the slider moves the obstacle', way > 5, way);
   claim('the label shows the step', (await text('step')).startsWith('step 0:'), await text('step'));
   claim('the row of the step is marked in the table', await page.$eval('#results tr.shown', (row) => row.dataset.step === '0'));
 
