@@ -116,13 +116,17 @@ std::vector<double> point_of(const Item& item, const Values& values) {
     return point_m;
 }
 
-/// A force on an obstacle, or an area or a pressure of contact.
+/// The displacement of an obstacle, a force on it, or an area or a pressure of contact.
 void check_contact_measure(const Values& values, const Design::OutputRequest& output) {
     const std::string path = "outputs." + output.name;
     if (output.obstacle != model::self_contact) {
-        if (output.measure == model::Measure::force) check_obstacle_direction(values, path + ".along");
+        if (model::info_of(output.measure).along != model::Along::none)
+            check_obstacle_direction(values, path + ".along");
         return;
     }
+    if (output.measure == model::Measure::displacement)
+        throw values.refuse(path + ".measure", "only an obstacle has a displacement",
+                            "use area or pressure, or name an obstacle");
     if (output.measure == model::Measure::force)
         throw values.refuse(path + ".measure", "the forces of self-contact cancel each other",
                             "use area or pressure, or name an obstacle");

@@ -20,6 +20,7 @@ Outputs::Form Outputs::make(const model::Output& output) const {
             throw Error(ExitCode::bad_input, "outputs." + output.name, "this measure is available only in solid models",
                         "use model: solid, half or quarter");
     };
+    if (!output.obstacle.empty() && output.measure == model::Measure::displacement) return make_obstacle_motion(output);
     if (!output.obstacle.empty()) return make_contact(output);
     switch (output.measure) {
         case model::Measure::displacement: return make_mean(output, output.direction);
@@ -51,6 +52,17 @@ Outputs::Mean Outputs::make_mean(const model::Output& output, const Vector3& dir
     for (std::size_t i = 0; i < weights.dofs.size(); ++i)
         if (const int slot = motion_slot(weights.dofs[i]); slot >= 0)
             mean.by_motion[slot / 3] += weights.values[i] * fe_.moved_by(weights.dofs[i]);
+    return mean;
+}
+
+Outputs::Mean Outputs::make_obstacle_motion(const model::Output& output) const {
+    Mean mean{fe_.make_vector(), {}};
+    for (const model::Motion& motion : fe_.input.motions) {
+        double along = 0;
+        for (std::size_t i = 0; i < 3 && motion.face == output.obstacle; ++i)
+            along += output.direction[i] * motion.displacement_m[i].value_or(0);
+        mean.by_motion.push_back(along);
+    }
     return mean;
 }
 

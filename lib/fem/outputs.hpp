@@ -46,6 +46,7 @@ private:
 
     [[nodiscard]] Form make(const model::Output& output) const;
     [[nodiscard]] Mean make_mean(const model::Output& output, const Vector3& direction) const;
+    [[nodiscard]] Mean make_obstacle_motion(const model::Output& output) const;
     [[nodiscard]] WholeFace make_whole_face(const model::Output& output) const;
     double mean(const Mean& output, Vec x, Vec gradient, std::span<double> by_motion) const;
     double shape(const WholeFace& output, Slopes& slopes) const;

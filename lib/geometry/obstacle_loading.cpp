@@ -21,7 +21,7 @@ model::Output contact_output(const design::Design::OutputRequest& request, const
     if (request.along.empty()) return output;
     const std::string path = "outputs." + request.name + ".along";
     output.direction = direction_of({path, "", request.along}, meshed);
-    for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < 3 && request.measure == model::Measure::force; ++i)
         if (meshed.shape.symmetry_planes[i] && output.direction[i] != 0)
             throw values.refuse(
                 path, std::string{"the force on the mirror image at "} + component_name(meshed, i) + " = 0 cancels it",

@@ -23,6 +23,7 @@ namespace soft::model {
 ///   force: force of the actuator on its support or drive at the face, along `direction` [N]
 ///   moment: moment of those forces about the axis `direction` through the centroid of the undeformed face [N m]
 /// Of an obstacle, or of the contact of the actuator with itself (model::Output::obstacle):
+///   displacement: of the obstacle, along `direction` [m]
 ///   force: force of the actuator on the obstacle along `direction` [N]; not of self-contact, where it is 0
 ///   contact_area: part of the deformed surface that is in contact [m^2]
 ///   contact_pressure: maximum contact pressure [Pa]
@@ -84,10 +85,11 @@ struct MeasureInfo {
 inline constexpr std::array measures{
     MeasureInfo{.measure = Measure::displacement,
                 .name = "displacement",
-                .meaning = "mean displacement of a face along a direction",
+                .meaning = "mean displacement of a face, or displacement of an obstacle, along a direction",
                 .unit = length_unit,
                 .along = Along::direction,
-                .has_default_axis = true},
+                .has_default_axis = true,
+                .object = MeasuredObject::face_or_obstacle},
     MeasureInfo{.measure = Measure::bend,
                 .name = "bend",
                 .meaning = "bending angle of a face relative to another face, about a direction",

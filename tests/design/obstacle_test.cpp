@@ -136,8 +136,16 @@ TEST(ContactOutput, ThatIsInconsistentIsRefused) {
                          "outputs.grip.measure: only contact has this measure; write obstacle: NAME"));
     EXPECT_TRUE(contains(output_refusal("obstacle: self, measure: force"),
                          "outputs.grip.measure: the forces of self-contact cancel each other"));
+    EXPECT_TRUE(contains(output_refusal("obstacle: self, measure: displacement"),
+                         "outputs.grip.measure: only an obstacle has a displacement"));
     EXPECT_TRUE(contains(output_refusal("obstacle: self, measure: area", "contact: {self: false}\n"),
                          "outputs.grip.obstacle: contact.self is false, so there is no self-contact"));
+}
+
+TEST(ContactOutput, IsTheDisplacementOfAnObstacle) {
+    const Design design = read(base + table + "outputs: {way: {obstacle: table, measure: displacement, along: z}}\n");
+    EXPECT_EQ(design.outputs.at(0).measure, model::Measure::displacement);
+    EXPECT_EQ(design.outputs.at(0).along, "z");
 }
 
 TEST(ContactOutput, IsPossibleInAMotion) {

@@ -64,5 +64,23 @@ TEST(Contact, NothingActsWithoutTouch) {
     EXPECT_EQ(linalg::norm(R), 0.0);
 }
 
+TEST(Contact, OutputsTheDisplacementOfAnObstacle) {
+    auto input = box_at_plane(false, 1e-3);
+    input.obstacles.push_back({"another", model::Plane{{0.02, 0, 0}, {-1, 0, 0}}});
+    input.motions = {{"another", {1e-4, 0.0, 0.0}}, {"plate", {3e-4, -4e-4, 0.0}}};
+    model::Output way{"way", "", {0.6, -0.8, 0}, model::Measure::displacement, "", {}, "plate"};
+    input.outputs = {way};
+    System system(input, PETSC_COMM_WORLD);
+    auto levels = no_loads(input);
+    levels.motions = {0.7, 0.5};
+    system.prescribe(levels);
+    const auto x = wavy(system, 2e-5, 0.3), gradient = system.make_vector();
+    LoadLevels by_levels = no_loads(input);
+    EXPECT_NEAR(system.outputs().value(0, x, gradient, &by_levels), 0.5 * 5e-4, 1e-18);
+    EXPECT_EQ(linalg::norm(gradient), 0.0);
+    EXPECT_EQ(by_levels.motions[0], 0.0);
+    EXPECT_NEAR(by_levels.motions[1], 5e-4, 1e-18);
+}
+
 }  // namespace
 }  // namespace soft::fem
