@@ -73,9 +73,10 @@ Key output_point_key(const std::string& output) {
 }
 
 Key output_obstacle_key(const std::string& output, std::vector<std::string> obstacles) {
-    return choice_key("outputs." + output + ".obstacle", "", std::move(obstacles),
-                      "obstacle whose contact with the actuator is measured, in place of a face; self: contact of the "
-                      "actuator with itself");
+    return choice_key(
+        "outputs." + output + ".obstacle", "", std::move(obstacles),
+        "obstacle whose contact with the actuator, or displacement, is measured, in place of a face; self: contact of the "
+        "actuator with itself");
 }
 
 Key output_measure_key(const std::string& output, model::MeasuredObject object, const model::MeasureInfo* measure) {

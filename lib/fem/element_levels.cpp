@@ -172,7 +172,14 @@ double most_flops(PetscInt unknowns) {
 }
 
 double predicted_flops(const mesh::Mesh& mesh, PetscInt unknowns) {
+    std::size_t entries = 0;
+    for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+        const std::size_t nodes = mesh.cell_nodes(cell).size();
+        entries += nodes * nodes;
+    }
     std::vector<PetscInt> rows, columns;
+    rows.reserve(entries);
+    columns.reserve(entries);
     for (Index cell = 0; cell < mesh.cell_count(); ++cell)
         for (const Index a : mesh.cell_nodes(cell))
             for (const Index b : mesh.cell_nodes(cell)) {
@@ -188,12 +195,13 @@ double predicted_flops(const mesh::Mesh& mesh, PetscInt unknowns) {
     return linalg::Multifrontal(graph).flops() * std::pow(static_cast<double>(unknowns) / nodes, 3.0);
 }
 
-model::LinearSettings choose_linear(model::LinearSettings wanted, const model::Case& input, PetscInt unknowns) {
+model::LinearSettings choose_linear(model::LinearSettings wanted, const model::Case& input, PetscInt unknowns,
+                                    linalg::Symmetry symmetry) {
     const bool second_order =
         std::ranges::all_of(input.mesh.cell_types, [](mesh::CellType type) { return mesh::topology(type).order == 2; });
     const bool large = unknowns > always_factorised && input.mesh.dimension == 3 && second_order;
-    if (wanted.method != model::LinearMethod::automatic || !large ||
-        predicted_flops(input.mesh, unknowns) <= most_flops(unknowns))
+    if (wanted.method != model::LinearMethod::automatic || !large) return wanted;
+    if (symmetry == linalg::Symmetry::symmetric && predicted_flops(input.mesh, unknowns) <= most_flops(unknowns))
         return wanted;
     return {model::LinearMethod::krylov, model::Preconditioner::multigrid, newton_gain, max_iterations};
 }

@@ -28,9 +28,10 @@ inline constexpr double most_entries = 2147483647;
 [[nodiscard]] double predicted_flops(const mesh::Mesh& mesh, PetscInt unknowns);
 
 /// The linear solver settings for a case with this number of unknowns: automatic becomes multigrid where that is faster, with a tolerance
-/// at which Newton's method gains six digits per iteration; explicit choices are kept.
+/// at which Newton's method gains six digits per iteration; explicit choices are kept. Of a general tangent, whose LU takes more than twice
+/// the flops, every large solid is solved by multigrid.
 [[nodiscard]] model::LinearSettings choose_linear(model::LinearSettings wanted, const model::Case& input,
-                                                  PetscInt unknowns);
+                                                  PetscInt unknowns, linalg::Symmetry symmetry);
 
 /// Gives a solver the data that its preconditioner needs: the levels for multigrid, the rigid motions for gamg (attached to K).
 /// Errors as above.

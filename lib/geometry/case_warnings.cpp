@@ -78,7 +78,13 @@ bool is_fixed_face(const model::Case& built, const std::string& face, const std:
 
 void check_outputs(const model::Case& built, Warnings& warnings) {
     for (const model::Output& output : built.outputs)
-        if (output.measure == model::Measure::displacement && is_fixed_face(built, output.face, output.direction))
+        if (output.measure == model::Measure::displacement && !output.obstacle.empty()) {
+            if (std::ranges::find(built.motions, output.obstacle, &model::Motion::face) == built.motions.end())
+                warnings.push_back("outputs." + output.name + ": no load moves the obstacle " + output.obstacle +
+                                   ", so its displacement stays 0; write loads." + output.obstacle +
+                                   ": {displacement: ...}");
+        } else if (output.measure == model::Measure::displacement &&
+                   is_fixed_face(built, output.face, output.direction))
             warnings.push_back(
                 "outputs." + output.name + ": supports fix the face " + output.face +
                 " in this direction, so its displacement stays 0; measure a free face, or the reaction (measure: force)");

@@ -17,7 +17,7 @@ namespace {
 constexpr double time_difference = 1e-5, time_digits = 1e-10;
 
 model::SolverSettings with_choice(const fem::System& system, model::SolverSettings settings) {
-    settings.linear = fem::choose_linear(settings.linear, system.input(), system.dofs().total);
+    settings.linear = fem::choose_linear(settings.linear, system.input(), system.dofs().total, symmetry_of(system));
     return settings;
 }
 

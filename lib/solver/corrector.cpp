@@ -24,10 +24,10 @@ bool Corrector::correct(const Constraint& constraint, double target, State& stat
 
 std::optional<PathPoint> Corrector::solve_at(const Frame& frame, const Constraint& constraint, double target,
                                              State guess, WithContact contact) {
-    if (contact == WithContact::where_touched && !frame.last.touches) {
+    if (contact == WithContact::if_met && !frame.last.touches) {
         const Memory before = memory();
         auto point = solve_at(frame, constraint, target, copy_of(guess), WithContact::no);
-        if (!point || !meets_contact(frame, *point)) return point;
+        if (!point || !wake_contact_if_met(frame, *point)) return point;
         restore(before);
     }
     system_.contact().set_resting(contact == WithContact::no);
@@ -36,12 +36,11 @@ std::optional<PathPoint> Corrector::solve_at(const Frame& frame, const Constrain
     return point;
 }
 
-bool Corrector::meets_contact(const Frame& frame, const PathPoint& point) {
+bool Corrector::wake_contact_if_met(const Frame& frame, const PathPoint& point) {
     system_.contact().set_resting(false);
     // A step may be longer than an obstacle is thick.
-    const bool passes_through =
-        !input().obstacles.empty() && newton_.share_without_crossing(frame.last.state, point.state) < 1.0;
-    const bool meets = point.touches || passes_through;
+    const bool meets = point.touches || (!input().obstacles.empty() &&
+                                         newton_.share_without_crossing(frame.last.state, point.state) < 1.0);
     system_.contact().set_resting(!meets && !system_.contact().has_friction());
     return meets;
 }

@@ -23,7 +23,7 @@ struct WorkCount {
 };
 
 /// Without contact, bodies pass through each other, and the path does not bend.
-enum class WithContact { no, yes, where_touched };
+enum class WithContact { no, yes, if_met };
 
 class Corrector {
 public:
@@ -33,16 +33,16 @@ public:
     /// Moves `state` to equilibrium where the constraint has its target; last_result() is the outcome.
     [[nodiscard]] bool correct(const Constraint& constraint, double target, State& state);
 
-    /// With contact `where_touched`, a path that touches nothing is solved without it, so that it costs nothing and does not change the
-    /// iterates, and again with it where something touches.
+    /// With contact `if_met`, a path that touches nothing is solved without it, so that it costs nothing and does not change the iterates,
+    /// and again with it where something touches. After `no`, contact rests until the next solve or wake_contact_if_met().
     [[nodiscard]] std::optional<PathPoint> solve_at(const Frame& frame, const Constraint& constraint, double target,
-                                                    State guess, WithContact contact = WithContact::where_touched);
+                                                    State guess, WithContact contact = WithContact::if_met);
     /// The state at q between two points of the path.
     [[nodiscard]] std::optional<PathPoint> solve_between(const Frame& frame, const PathPoint& a, const PathPoint& b,
-                                                         double q, WithContact contact = WithContact::where_touched);
-    /// Whether a state solved without contact touches or has passed through anything. Contact rests where it does not; with friction it never
-    /// rests, since energy may have been dissipated before.
-    [[nodiscard]] bool meets_contact(const Frame& frame, const PathPoint& point);
+                                                         double q, WithContact contact = WithContact::if_met);
+    /// Whether a state solved without contact touches or has passed through anything. If so, or with friction, which may have dissipated
+    /// energy before, contact no longer rests.
+    [[nodiscard]] bool wake_contact_if_met(const Frame& frame, const PathPoint& point);
     /// A converged state with its values. The arc length continues from the frame's last point.
     [[nodiscard]] PathPoint measure(const Frame& frame, State state, PathTangent tangent);
     /// Value of a constraint at a state.

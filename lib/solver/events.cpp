@@ -10,8 +10,11 @@ namespace soft::solver {
 
 namespace {
 
-/// A limit point is located until its load is known to this relative accuracy (estimated from the slope's parabola).
+/// A limit point is located until its load is known to this relative accuracy (estimated from the slope's parabola), better than the
+/// tolerance of equilibrium, so that the path does not end below the row before.
 constexpr double limit_point_tolerance = 1e-10;
+/// Relative change of the load between two rows that is rounding.
+constexpr double load_rounding = 1e-8;
 constexpr int limit_point_solves = 12;
 /// A bifurcation is located until the load changes by less than this fraction of itself over the bracket.
 constexpr double bifurcation_tolerance = 1e-6;
@@ -249,7 +252,7 @@ std::optional<PathPoint> first_in_contact(Corrector& corrector, const PathState&
         double q = i % 2 == 0 ? before - beside_contact * resolution : after + beside_contact * resolution;
         if ((q - a.q) * (b.q - q) <= 0.0) q = 0.5 * (a.q + b.q);
         auto point = corrector.solve_between(frame, a, b, q, WithContact::no);
-        if (!point) break;
+        if (!point || (!point->touches && corrector.wake_contact_if_met(frame, *point))) break;  // a thin obstacle
         (point->touches ? bracket.right : bracket.left) = std::move(point);
     }
     return std::nullopt;
@@ -329,10 +332,10 @@ Events events_before(const PathPoint& to, Corrector& corrector, const PathState&
         events.add({kind, std::move(*point)}, path.direction());
         return true;
     };
-    // Where the load changes by less than the tolerance of a limit point, a change of sign is rounding: the path hardly moves.
+    // Where the load hardly changes, a change of sign of its slope is rounding.
     const double change = std::abs(to.leading - from.leading),
                  size = std::max(std::abs(to.leading), std::abs(from.leading));
-    const bool moves = path.user_control || change > limit_point_tolerance * size;
+    const bool moves = path.user_control || change > load_rounding * size;
     bool ends = moves && watch(Event::Kind::limit_point, [](const PathPoint& at) { return at.leading_slope; });
     if (const auto& user = path.user_control) {
         const bool by_load = user->kind == ConstraintKind::load_factor;

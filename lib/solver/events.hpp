@@ -32,7 +32,8 @@ struct Events {
 [[nodiscard]] std::optional<ContactEvent> find_crossing(Corrector& corrector, const Listeners& listeners,
                                                         const PathPoint& point);
 
-/// Where contact begins, if nothing touches at the last row. nullopt also where this is not found before a state `solved` without contact.
+/// Where contact begins before `to`, which has been `solved` with or without it, if nothing touches at the last row. nullopt also where the
+/// search fails before a state without contact.
 [[nodiscard]] std::optional<Event> first_contact_before(const PathPoint& to, Corrector& corrector,
                                                         const PathState& path, WithContact solved);
 

@@ -21,7 +21,9 @@ namespace {
 NaturalFrequencies::NaturalFrequencies(fem::System& system, int count)
     : system_(system), count_(count), K_(system.make_matrix()), R_(system.make_vector()) {
     const fem::DofMap& dofs = system.dofs();
-    const auto method = fem::choose_linear(system.input().solver.linear, system.input(), dofs.total).method;
+    const auto method =
+        fem::choose_linear(system.input().solver.linear, system.input(), dofs.total, linalg::Symmetry::symmetric)
+            .method;
     if (method == model::LinearMethod::krylov || method == model::LinearMethod::jacobian_free)
         refuse_frequencies(
             "natural frequencies need a factorisation of the tangent, but the linear solver is iterative",

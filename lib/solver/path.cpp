@@ -118,6 +118,7 @@ void PathFollower::step() {
     const PredictorError error = error_of(system_, path_, aim, *point);
     if (is_refused(system_, path_, error, *point)) {
         path_.attempts.rejected_error = error.state;
+        if (touch) path_.step = point->q - path_.last->q;
         return recover();
     }
     path_.attempts.crossing = find_crossing(corrector_, listeners_, *point);
@@ -143,6 +144,7 @@ void PathFollower::step() {
     report_row(describe(*point) + row_text(*point, error, corrector_.last_result().iterations));
 
     const auto contact = find_contact(corrector_, path_, listeners_, *point);
+    if (contact) touch.reset();  // the path ends before it
     const Goal* goal = aim.crossing && !contact ? aim.crossing->goal : nullptr;
     if (const auto passed = goal != nullptr ? std::nullopt : first_between(path_.goals, *path_.last, *point)) {
         goal = passed->goal;
@@ -175,7 +177,7 @@ std::optional<PathPoint> PathFollower::solve_step(Aim& aim, std::optional<Event>
     if (!frame.last.touches) {
         const Corrector::Memory memory = corrector_.memory();
         auto point = corrector_.solve_at(frame, aim.constraint, aim.target, copy_of(guess), WithContact::no);
-        if (!point || !corrector_.meets_contact(frame, *point)) return point;
+        if (!point || !corrector_.wake_contact_if_met(frame, *point)) return point;
         if ((touch = first_contact_before(*point, corrector_, path_, WithContact::no))) {
             aim = Aim{.straight = aim.straight};
             aim.forecast = predict(aim.straight ? nullptr : &*path_.before, *path_.last, touch->point.q);

@@ -33,7 +33,7 @@ private:
     /// Appends the events before the next state; true if the path ends or turns at one.
     [[nodiscard]] bool pass_events(Events events);
     [[nodiscard]] bool take_branch(Event& bifurcation);
-    /// The state at the aim. Where contact begins before it, the state where it begins, which is found without contact: then the aim is there.
+    /// The state at the aim, or where contact begins before it; this place is found without contact, and then the aim is there.
     [[nodiscard]] std::optional<PathPoint> solve_step(Aim& aim, std::optional<Event>& touch);
     void recover();
     /// Continues beyond a kink or a snap from `point`, which has no cubic with the rows before.

@@ -32,8 +32,8 @@ StageSolver::StageSolver(MotionEquations& equations)
       settings_(equations.system().input().solver),
       J_(equations.system().make_matrix()),
       solver_(J_, symmetry_of(equations.system()),
-              with_a_matrix(
-                  fem::choose_linear(settings_.linear, equations.system().input(), equations.system().dofs().total)),
+              with_a_matrix(fem::choose_linear(settings_.linear, equations.system().input(),
+                                               equations.system().dofs().total, symmetry_of(equations.system()))),
               settings_.threads),
       r_(equations.system().make_vector()),
       dx_(equations.system().make_vector()),

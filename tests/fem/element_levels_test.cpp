@@ -132,12 +132,15 @@ TEST(ElementLevels, AutomaticSelectsMultigridOnlyForLargeCompactSecondOrderSolid
         return settings.method == model::LinearMethod::krylov &&
                settings.preconditioner == model::Preconditioner::multigrid;
     };
-    EXPECT_TRUE(is_multigrid(choose_linear({}, box, always_factorised + 1)));
-    EXPECT_FALSE(is_multigrid(choose_linear({}, box, always_factorised)));
-    EXPECT_FALSE(is_multigrid(choose_linear({}, slender, always_factorised + 1)));
-    EXPECT_FALSE(is_multigrid(choose_linear({}, section, always_factorised + 1)));
-    EXPECT_FALSE(is_multigrid(choose_linear({}, first_order, always_factorised + 1)));
-    EXPECT_FALSE(is_multigrid(choose_linear({.method = model::LinearMethod::mumps_ldlt}, box, always_factorised + 1)));
+    constexpr auto symmetric = linalg::Symmetry::symmetric;
+    EXPECT_TRUE(is_multigrid(choose_linear({}, box, always_factorised + 1, symmetric)));
+    EXPECT_FALSE(is_multigrid(choose_linear({}, box, always_factorised, symmetric)));
+    EXPECT_FALSE(is_multigrid(choose_linear({}, slender, always_factorised + 1, symmetric)));
+    EXPECT_TRUE(is_multigrid(choose_linear({}, slender, always_factorised + 1, linalg::Symmetry::general)));
+    EXPECT_FALSE(is_multigrid(choose_linear({}, section, always_factorised + 1, symmetric)));
+    EXPECT_FALSE(is_multigrid(choose_linear({}, first_order, always_factorised + 1, symmetric)));
+    EXPECT_FALSE(is_multigrid(
+        choose_linear({.method = model::LinearMethod::mumps_ldlt}, box, always_factorised + 1, symmetric)));
 }
 
 TEST(ElementLevels, PredictsTheFlopsOfTheFactorisation) {

@@ -85,6 +85,17 @@ TEST(CaseWarnings, OutsidePressureIsReportedIfTheCavityIsNotLoaded) {
     EXPECT_TRUE(warnings_for("family: dome\nmesh: {size: 2 mm}\nloads: {outer: {pressure: 5 kPa}}\n").empty());
 }
 
+TEST(CaseWarnings, DisplacementOfAnObstacleAtRestIsReported) {
+    const std::string design =
+        rod +
+        "model: solid\nobstacles: {wall: {plane: {point: [500 mm, 0 mm, 0 mm], normal: [-1, 0, 0]}}}\n"
+        "outputs: {way: {obstacle: wall, measure: displacement, along: x}}\n";
+    const auto warnings = warnings_for(design + "loads: {end: {traction: 1 kPa, along: x}}\n");
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("outputs.way: no load moves the obstacle wall"), std::string::npos) << warnings[0];
+    EXPECT_TRUE(warnings_for(design + "loads: {wall: {displacement: -1 mm, along: x}}\n").empty());
+}
+
 /// A quadrilateral of side 1 whose corner (1, 1) moves to (c, c): the determinant is (2 c - 1) / 4 there, 1 / 4 opposite.
 TEST(CaseWarnings, PoorCellIsReported) {
     const design::Design design = design::read_design(

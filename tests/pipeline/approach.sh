@@ -22,3 +22,13 @@ claim "the body at rest needs no steps by powers of ten" awk -v n="$(json solve.
 solve='solve -q case.h5 --set path.until.steps=16'
 runs "$solve | postprocess -q > direct.csv; $solve --set solver.linear=krylov --set solver.preconditioner=multigrid --set solver.linear_tolerance=1e-10 --set solver.linear_limit=300 | postprocess -q > multigrid.csv"
 claim "multigrid gives the same rows in contact" near direct.csv multigrid.csv 1e-5
+# Nothing slides before the contact.
+runs "solve -q case.h5 --set contact.friction=0.5 --set path.until.steps=4 --json friction.json -o friction.h5"
+claim "with friction, contact begins there too" within "$(json friction.json events 0 load_factor)" 0.7200 0.7201
+echo 'outputs: {way: {obstacle: ball, measure: displacement, along: z}}' >>sheet.yaml
+runs 'mesh-gen -q sheet.yaml -o case.h5'
+for goal in 3.59 3.61; do
+    runs "solve -q case.h5 --set path.until.way=-${goal}mm --json goal.json -o goal.h5 && postprocess -q goal.h5 -o goal.csv"
+    claim "a goal of $goal mm beside the contact at 3.6 mm is reached" within "$(column way_mm goal.csv | tail -n 1)" "-${goal}01" "-${goal}00"
+    claim "... before or after the contact" [ "$(json goal.json events | grep -c first_contact)" = "$([ $goal = 3.59 ] && echo 0 || echo 1)" ]
+done

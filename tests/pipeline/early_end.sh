@@ -119,3 +119,11 @@ runs 'mesh-gen -q designs/ring.yaml --set geometry.inner_radius=13.546mm --set g
     --set "obstacles={post: {box: {from: [15.5 mm, 15.5 mm, -10 mm], to: [60 mm, 60 mm, 10 mm], radius: 0 mm}}}" -o post.h5'
 refuses 2 "solve: self_contact: the face outer touches the obstacle 'post' at *, and the contact is not resolved; use smaller cells there *" \
     'solve post.h5 -o post-result.h5 2>&1 | grep "solve: self_contact" >&2; exit ${PIPESTATUS[0]}'
+# The path ends at the maximum, not below the row before.
+runs 'mesh-gen -q designs/two-spheres.yaml --set geometry.inner_radius=5.225mm --set geometry.outer_radius=5.551mm --set geometry.gap=13.21mm \
+    --set geometry.right_scale=1 --set "material={law: ogden, mu: 60.311 kPa, alpha: 1.5077, kappa: 754.91 kPa}" --set mesh.size=0.32656mm \
+    --set mesh.formulation=displacement --set path.control=pressure --set "path.until={}" \
+    --set "loads={cavities: {left: {pressure: 6.9717 kPa}, right: {shares: left}}}" -o maximum.h5'
+refuses 2 'solve: limit_point: the load has a maximum at 3.278* kPa*' 'solve maximum.h5 -o maximum-result.h5 2>&1 | grep "solve: limit_point" >&2; exit ${PIPESTATUS[0]}'
+runs 'postprocess -q maximum-result.h5 -o maximum.csv'
+claim "its last row is its maximum" awk -v last="$(column pressure_kPa maximum.csv | tail -n 1)" -v before="$(column pressure_kPa maximum.csv | tail -n 2 | head -n 1)" 'BEGIN { exit !(last >= before * (1 - 1e-9)) }'
