@@ -178,7 +178,8 @@ std::optional<PathPoint> PathFollower::solve_step(Aim& aim, std::optional<Event>
         const Corrector::Memory memory = corrector_.memory();
         auto point = corrector_.solve_at(frame, aim.constraint, aim.target, copy_of(guess), WithContact::no);
         if (!point || !corrector_.wake_contact_if_met(frame, *point)) return point;
-        if ((touch = first_contact_before(*point, corrector_, path_, WithContact::no))) {
+        touch = first_contact_before(*point, corrector_, path_, WithContact::no);
+        if (touch) {
             aim = Aim{.straight = aim.straight};
             aim.forecast = predict(aim.straight ? nullptr : &*path_.before, *path_.last, touch->point.q);
             return std::move(touch->point);
