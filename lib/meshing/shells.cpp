@@ -66,14 +66,14 @@ std::vector<std::vector<Edge>> rims_of(const std::map<Edge, int>& edges) {
     for (const auto& [start, first] : open) {
         if (done.contains(first)) continue;
         std::vector<Edge>& rim = rims.emplace_back();
-        std::vector<std::size_t> todo{start};
-        while (!todo.empty()) {
-            const auto [from, to] = open.equal_range(todo.back());
-            todo.pop_back();
+        std::vector<std::size_t> pending{start};
+        while (!pending.empty()) {
+            const auto [from, to] = open.equal_range(pending.back());
+            pending.pop_back();
             for (auto next = from; next != to; ++next)
                 if (done.insert(next->second).second) {
                     rim.push_back(next->second);
-                    todo.insert(todo.end(), {next->second.first, next->second.second});
+                    pending.insert(pending.end(), {next->second.first, next->second.second});
                 }
         }
     }

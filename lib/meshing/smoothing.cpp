@@ -30,11 +30,11 @@ public:
     void run() {
         constexpr int rounds = 8;
         for (int round = 0; round < rounds; ++round) {
-            std::set<int> todo;
+            std::set<int> pending;
             for (std::size_t c = 0; c < mesh_.cells.size(); ++c)
-                if (quality_[c] < good_) add_around(c, todo);
+                if (quality_[c] < good_) add_around(c, pending);
             bool moved = false;
-            for (const int p : todo) moved = improve(p) || moved;
+            for (const int p : pending) moved = improve(p) || moved;
             if (!moved) return;
         }
     }
