@@ -27,8 +27,16 @@ runs "solve -q case.h5 --set contact.friction=0.5 --set path.until.steps=4 --jso
 claim "with friction, contact begins there too" within "$(json friction.json events 0 load_factor)" 0.7200 0.7201
 echo 'outputs: {way: {obstacle: ball, measure: displacement, along: z}}' >>sheet.yaml
 runs 'mesh-gen -q sheet.yaml -o case.h5'
+refuses 65 'solve: *displacement control needs an output*' 'solve -q case.h5 --set path.control=displacement -o control.h5'
 for goal in 3.59 3.61; do
     runs "solve -q case.h5 --set path.until.way=-${goal}mm --json goal.json -o goal.h5 && postprocess -q goal.h5 -o goal.csv"
     claim "a goal of $goal mm beside the contact at 3.6 mm is reached" within "$(column way_mm goal.csv | tail -n 1)" "-${goal}01" "-${goal}00"
     claim "... before or after the contact" [ "$(json goal.json events | grep -c first_contact)" = "$([ $goal = 3.59 ] && echo 0 || echo 1)" ]
 done
+# The walls of a bellows under suction touch at -1.35 kPa, the wall that follows it at -1.8 kPa, in the same step.
+runs 'mesh-gen -q designs/vacuum.yaml --set mesh.size=3mm --set "obstacles={wall: {plane: {point: [-30 mm, 0 mm, 0 mm], normal: [1, 0, 0]}}}" \
+    --set loads.cavity.pressure=-2kPa --set "loads.wall={displacement: 60 mm, along: x}" --set "path={control: pressure, contact: stop}" \
+    --set solver.steps=constant --set solver.first_step=0.5 -o suction.h5'
+solve -q suction.h5 --json suction.json -o stopped.h5 2>/dev/null
+claim "with path.contact: stop, the path ends where the bellows touches itself" [ "$(json suction.json stop_reason)" = self_contact ]
+claim "... before it meets the wall" [ "$(json suction.json events)" = '[]' ]
