@@ -118,9 +118,10 @@ model::Case build_case(const design::Design& design, mesh::Mesh mesh, const mode
     result.path = design.path;
     result.solver = design.solver;
     result.dynamics = design.dynamics;
-    if (result.dynamics && model::has_friction(result))
-        throw design.values.refuse("dynamics.duration", "a motion in time has no friction",
-                                   "set contact.friction and that of the obstacles to 0, or omit dynamics.duration");
+    if (result.dynamics && result.dynamics->integrator == model::Integrator::rosenbrock && model::has_friction(result))
+        throw design.values.refuse(
+            "dynamics.integrator", "rosenbrock solves linear equations, and friction that slides is not linear",
+            "use another implicit integrator, or set contact.friction and that of the obstacles to 0");
     result.mesh = std::move(mesh);
     return result;
 }

@@ -25,8 +25,8 @@ auto members(Is<model::Step::Extremes> auto& extremes) {
     return std::tie(stretch_at, energy);
 }
 auto members(Is<model::Step::Energies> auto& energies) {
-    auto& [stored, work, tangent, dissipated, friction] = energies;
-    return std::tie(stored, work, tangent, dissipated, friction);
+    auto& [stored, work, tangent, dissipated] = energies;
+    return std::tie(stored, work, tangent, dissipated);
 }
 auto members(Is<model::Step::Motion> auto& motion) {
     auto& [time, kinetic, stored, work, damping] = motion;
@@ -35,10 +35,10 @@ auto members(Is<model::Step::Motion> auto& motion) {
 auto members(Is<model::Step> auto& step) {
     auto& [stage, load_factor, time, pressure, volume, pressures, volumes, outputs, d_load_factor, d_pressure, d_volume,
            d_pressures, d_volumes, d_outputs, iterations, factorizations, stable, controlled, p99, stretch, jacobian,
-           extremes, energies, motion, pressure_error, output_errors, frequencies, derivatives] = step;
+           extremes, energies, motion, friction, pressure_error, output_errors, frequencies, derivatives] = step;
     return std::tie(stage, load_factor, time, pressure, volume, pressures, volumes, outputs, d_load_factor, d_pressure,
                     d_volume, d_pressures, d_volumes, d_outputs, iterations, factorizations, stable, controlled, p99,
-                    stretch, jacobian, extremes, energies, motion, pressure_error, output_errors, frequencies,
+                    stretch, jacobian, extremes, energies, motion, friction, pressure_error, output_errors, frequencies,
                     derivatives);
 }
 auto members(Is<model::LimitPoint> auto& point) {

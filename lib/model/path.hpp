@@ -68,8 +68,6 @@ struct Step {
         /// Set free by snaps (solver/snap.hpp), and by inelastic materials, since the start of the path; absent where there is neither,
         /// and in older files.
         std::optional<double> dissipated_J = {};
-        /// Dissipated by friction since the start of the path; absent without friction.
-        std::optional<double> friction_J = {};
     };
     std::optional<Energies> energies;
     /// Dynamic path: load_factor is time / duration, and the tangents are time derivatives.
@@ -79,6 +77,8 @@ struct Step {
         double load_work_J = 0, damping_work_J = 0;  ///< work of the loads and work dissipated by damping since time 0
     };
     std::optional<Motion> motion;
+    /// Dissipated by friction since the start of the path, whole actuator; absent without friction.
+    std::optional<double> friction_J = {};
     /// Half widths of the error bars of the discretisation error, if requested (solver/accuracy.hpp): of pressure_Pa at an equal
     /// value of the first output (of the volume if there are no outputs), and of each output at equal pressure_Pa.
     std::optional<double> pressure_error_Pa;

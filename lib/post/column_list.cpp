@@ -27,7 +27,8 @@ std::vector<Column> all_columns() {
     model.path.stages.resize(2);
     step.volume_m3 = step.pressure_error_Pa = 0.0;
     step.extremes = model::Step::Extremes{};
-    step.energies = {.dissipated_J = 0.0, .friction_J = 0.0};
+    step.energies = {.dissipated_J = 0.0};
+    step.friction_J = 0.0;
     step.frequencies_Hz = {0};
     model.parameters = {{.key = "<key>", .unit = "mm"}};
     step.derivatives.resize(1 + model.outputs.size());

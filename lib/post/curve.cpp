@@ -197,7 +197,7 @@ void add_on_demand(std::vector<Entry>& entries, const model::Case& model) {
         "energy dissipated by inelastic rubber and by snaps in contact since the start of the path",
         [](const Step& s) { return s.energies ? s.energies->dissipated_J : std::nullopt; });
     add("friction_work", millijoule, "energy dissipated by friction since the start of the path",
-        [](const Step& s) { return s.energies ? s.energies->friction_J : std::nullopt; });
+        [](const Step& s) { return s.friction_J; });
     const auto position = [&](const char* name, std::size_t i) {
         add(name, millimetre, "undeformed position of max_stretch",
             [i](const Step& s) { return s.extremes ? Value(s.extremes->stretch_at_m[i]) : std::nullopt; });

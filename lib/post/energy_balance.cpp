@@ -12,11 +12,11 @@ void EnergyBalance::add(const model::Step& row) {
     if (!row.motion && !row.energies) return;
     if (first_ && !row.motion && std::abs(row.max_stretch - 1.0) < min_strain) return;
     moves_ = row.motion.has_value();
-    const Energies now = moves_
-                             ? Energies{row.motion->load_work_J, row.motion->stored_energy_J,
-                                        row.motion->kinetic_energy_J, row.motion->damping_work_J}
-                             : Energies{row.energies->load_work_J, row.energies->stored_J, 0.0,
-                                        row.energies->dissipated_J.value_or(0) + row.energies->friction_J.value_or(0)};
+    const double friction_J = row.friction_J.value_or(0);
+    const Energies now = moves_ ? Energies{row.motion->load_work_J, row.motion->stored_energy_J,
+                                           row.motion->kinetic_energy_J, row.motion->damping_work_J + friction_J}
+                                : Energies{row.energies->load_work_J, row.energies->stored_J, 0.0,
+                                           row.energies->dissipated_J.value_or(0) + friction_J};
     if (!first_) first_ = now;
     const Energies gain{now.work_J - first_->work_J, now.stored_J - first_->stored_J, now.kinetic_J - first_->kinetic_J,
                         now.dissipated_J - first_->dissipated_J};
@@ -43,7 +43,7 @@ std::string EnergyBalance::problem() const {
     const std::string off = ", a difference of " + core::rounded_text(100 * error, 2) + " % of the largest energy";
     if (moves_)
         return what + ", " + mJ(worst_.kinetic_J) + " are kinetic and " + mJ(worst_.dissipated_J) +
-               " are dissipated by damping" + off +
+               " are dissipated by damping and friction" + off +
                "; use a smaller dynamics.accuracy or dynamics.step, or a spectral_radius near 1 for less damping";
     const std::string lost = worst_.dissipated_J > 0
                                  ? ", " + mJ(worst_.dissipated_J) + " are set free by snaps or dissipated by friction"

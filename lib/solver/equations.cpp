@@ -180,11 +180,14 @@ MotionEquations::MotionEquations(fem::System& system, MassKind kind)
     if (dynamics_.stiffness_damping_s != 0.0) make_damping();
 }
 
-/// Removes the rows and columns of pressure unknowns: see the header.
+/// Without contact, whose stiffness does not damp. Removes the rows and columns of pressure unknowns: see the header.
 void MotionEquations::make_damping() {
     K0_ = system_.make_matrix();
     const linalg::Vector undeformed = system_.make_vector();
+    const bool rests = system_.contact().rests();
+    system_.contact().set_resting(true);
     (void)system_.evaluate(undeformed, fem::no_loads(input_), R_, K0_);
+    system_.contact().set_resting(rests);
     std::vector<PetscInt> pressures;
     const PetscScalar* has_mass = nullptr;
     SOFT_PETSC(VecGetArrayRead(mask_, &has_mass));

@@ -222,7 +222,7 @@ void MotionFollower::advance() {
                    "no step meets dynamics.accuracy at " + short_text(last_.time_s) + " s; increase dynamics.accuracy");
         return;
     }
-    accept(h, error);
+    if (!refuses_crossing(h)) accept(h, error);
 }
 
 void MotionFollower::accept(double step_s, std::optional<double> error) {
@@ -234,7 +234,7 @@ void MotionFollower::accept(double step_s, std::optional<double> error) {
         if (history_.size() > static_cast<std::size_t>(order_)) history_.pop_back();
     }
     std::swap(last_, next_);
-    if (!system_.internal().is_empty()) {
+    if (!system_.internal().is_empty() || system_.contact().has_friction()) {
         system_.prescribe(equations_.levels(last_.time_s, equations_.lines().pressures(last_.x, last_.masses_kg)));
         system_.accept_step(last_.x);
     }

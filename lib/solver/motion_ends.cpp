@@ -4,6 +4,7 @@
 
 #include "core/text.hpp"
 #include "solver/motion_follower.hpp"
+#include "solver/path_end.hpp"
 
 namespace soft::solver {
 
@@ -33,13 +34,30 @@ bool is_finite(const model::Step& step) {
 
 }  // namespace
 
-void MotionFollower::handle_failure(const NewtonResult& failure, double step_s) {
+bool MotionFollower::cut(double step_s, const std::string& why) {
     step_s_ = round_step_size(cut_after_failure * step_s);
+    listeners_.report("step of " + short_text(step_s) + " s failed (" + why + "): cut to " + short_text(step_s_) +
+                      " s");
+    return step_s_ >= settings_.min_step * first_step_s_;
+}
+
+bool MotionFollower::refuses_crossing(double step_s) {
+    if (explicit_ || input_.path.contact != model::Contact::solve) return false;
+    const auto crossing = contact_in(next_);
+    if (!crossing) return false;
+    if (!cut(step_s, crossing->text + ", and walls pass through each other")) {
+        const Stop stop = unresolved(*crossing, short_text(last_.time_s) + " s");
+        finish(stop.reason, stop.detail);
+    }
+    return true;
+}
+
+void MotionFollower::handle_failure(const NewtonResult& failure, double step_s) {
     const bool inverted = failure.end == NewtonEnd::inverted;
-    listeners_.report("step of " + short_text(step_s) + " s failed (" + std::string(text_of(failure.end)) + ", " +
-                      core::counted(failure.iterations, "iteration") + ", residual " + short_text(failure.residual) +
-                      ", min det F " + short_text(failure.min_jacobian) + "): cut to " + short_text(step_s_) + " s");
-    if (step_s_ >= settings_.min_step * first_step_s_) return;
+    if (cut(step_s, std::string(text_of(failure.end)) + ", " + core::counted(failure.iterations, "iteration") +
+                        ", residual " + short_text(failure.residual) + ", min det F " +
+                        short_text(failure.min_jacobian)))
+        return;
     const std::string location = solver::location_text(failure.worst_cell, input_),
                       when = short_text(last_.time_s) + " s";
     if (inverted)

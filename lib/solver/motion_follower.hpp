@@ -50,6 +50,10 @@ private:
 
     // motion_ends.cpp
     void handle_failure(const NewtonResult& failure, double step_s);
+    /// Where walls have passed through each other in the next state: the step is cut.
+    [[nodiscard]] bool refuses_crossing(double step_s);
+    /// False if the step cannot be shorter.
+    [[nodiscard]] bool cut(double step_s, const std::string& why);
     /// Why the state of this row is impossible: it is not finite, or explicit steps have created energy. nullopt otherwise.
     [[nodiscard]] std::optional<std::string> check_plausibility(const model::Step& step) const;
     void finish(model::StopReason reason, std::string detail);
@@ -57,6 +61,7 @@ private:
     // motion_rows.cpp
     void integrate_energies(const MotionState& from, const MotionState& to);
     [[nodiscard]] solver::PathPoint measure();
+    [[nodiscard]] std::optional<ContactEvent> contact_in(const MotionState& state);
     void append();
 
     fem::System& system_;

@@ -3,6 +3,7 @@
 
 #include "core/text.hpp"
 #include "solver/motion_follower.hpp"
+#include "solver/path_end.hpp"
 
 namespace soft::solver {
 
@@ -32,6 +33,12 @@ solver::PathPoint MotionFollower::measure() {
     return point;
 }
 
+std::optional<ContactEvent> MotionFollower::contact_in(const MotionState& state) {
+    if (!listeners_.contact || input_.path.contact == model::Contact::ignore) return std::nullopt;
+    system_.prescribe(equations_.levels(state.time_s, equations_.lines().pressures(state.x, state.masses_kg)));
+    return listeners_.contact(state.x);
+}
+
 void MotionFollower::append() {
     solver::PathPoint point = measure();
     model::Step step = solver::step_of(system_, point, 1.0);
@@ -43,17 +50,19 @@ void MotionFollower::append() {
     step.motion = {last_.time_s, whole * kinetic_energy(equations_, last_.v), whole * stored_J, whole * load_work_J_,
                    whole * (damping_work_J_ + system_.internal().dissipated_J())};
     if (auto problem = check_plausibility(step)) return finish(model::StopReason::diverged, std::move(*problem));
+    const std::string state = short_text(last_.time_s) + " s, " + solver::state_text(point, input_);
+    const auto contact = contact_in(last_);
+    if (contact && input_.path.contact == model::Contact::solve) {  // of explicit steps
+        const Stop stop = unresolved(*contact, state);
+        return finish(stop.reason, stop.detail);
+    }
     iterations_since_row_ = 0;
     factorizations_at_row_ = factorizations;
-    listeners_.report("row " + std::to_string(rows_) + ": " + short_text(last_.time_s) + " s, " +
-                      solver::state_text(point, input_) + ", step " + short_text(step_s_) + " s, " +
+    listeners_.report("row " + std::to_string(rows_) + ": " + state + ", step " + short_text(step_s_) + " s, " +
                       core::counted(step.newton_iterations, "iteration"));
     ++rows_;
     listeners_.step(step, last_.x);
-    if (listeners_.contact && input_.path.contact != model::Contact::ignore)  // with contact forces: not resolved
-        if (const auto touching = listeners_.contact(last_.x))
-            finish(touching->reason,
-                   touching->end_at(short_text(last_.time_s) + " s, " + solver::state_text(point, input_)));
+    if (contact) finish(contact->reason, contact->end_at(state));
     last_row_ = std::move(point);
     next_row_s_ += row_interval_s_;
     while (next_row_s_ <= last_.time_s) next_row_s_ += row_interval_s_;

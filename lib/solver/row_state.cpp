@@ -140,6 +140,7 @@ fem::StretchSummary read_stretches(fem::System& system, Vec x, model::Step& step
     step.max_stretch = stretch.largest;
     step.min_jacobian = stretch.min_jacobian;
     step.extremes = {stretch.max_at_m, stretch.max_energy_J_m3};
+    if (system.contact().has_friction()) step.friction_J = stretch.friction_J / system.input().model_fraction;
     return stretch;
 }
 
@@ -152,7 +153,6 @@ void read_rubber(fem::System& system, const PathPoint& point, double direction, 
         system.assembler().load_power(point.state.x, point.tangent.x, point.levels, point.level_slopes);
     step.energies = {whole * stretch.stored_energy_J, whole * point.load_work_J,
                      whole * direction * scale_of(point) * power};
-    if (system.contact().has_friction()) step.energies->friction_J = whole * stretch.friction_J;
     if (!system.internal().is_empty()) step.energies->dissipated_J = whole * stretch.dissipated_J;
 }
 

@@ -92,7 +92,7 @@ post::Curve unsolved_curve(const model::Case& model) {
     if (model::is_timed(model)) step.time_s = 0;
     step.energies = model::Step::Energies{};
     if (model::is_inelastic(model)) step.energies->dissipated_J = 0;
-    if (model::has_friction(model)) step.energies->friction_J = 0;
+    if (model::has_friction(model)) step.friction_J = 0;
     step.extremes = model::Step::Extremes{};
     return post::make_curve(model, {&step, 1});
 }

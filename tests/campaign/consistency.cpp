@@ -26,7 +26,7 @@ std::string energies(std::span<const Step> rows) {
         if (!step.energies || !rows.front().energies) return "";  // a law without a strain energy
         const double work = step.energies->load_work_J - rows.front().energies->load_work_J,
                      stored = step.energies->stored_J - rows.front().energies->stored_J +
-                              step.energies->dissipated_J.value_or(0) + step.energies->friction_J.value_or(0);
+                              step.energies->dissipated_J.value_or(0) + step.friction_J.value_or(0);
         gap = std::max(gap, std::abs(work - stored));
         largest = std::max({largest, std::abs(work), std::abs(stored)});
     }

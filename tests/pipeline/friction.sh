@@ -23,5 +23,14 @@ claim "two ranks dissipate the same" within "$(awk -v a="$(last friction_work_mJ
 runs "mesh-gen designs/verification/contact-wedge.yaml --set contact.friction=0 --set 'obstacles.ramp={plane: {point: [0 mm, -0.1 mm, 0 mm], normal: [-0.1, 1, 0]}, friction: 0.3}' --set mesh.size=4mm -o wedge.h5 && solve -q wedge.h5 -o wedge-result.h5 && postprocess -q wedge-result.h5 -o wedge.csv"
 claim "the ramp slides at Coulomb's limit" within "$(awk -v a="$(last push_N wedge.csv)" -v b="$(last press_N wedge.csv)" 'BEGIN { print a / b }')" 0.19416 0.19419
 refuses 65 'mesh-gen: --set contact.friction: *at least 0*' 'mesh-gen designs/bellows-at-wall.yaml --set contact.friction=-0.1'
-refuses 65 'mesh-gen: --set dynamics.duration: a motion in time has no friction; *' \
-    'mesh-gen designs/bellows-at-wall.yaml --set contact.friction=0.1 --set dynamics.duration=1s --set material.density=1000kg/m3'
+
+# Motions in time.
+block=designs/verification/contact-sliding-block.yaml
+runs "mesh-gen -q $block -o block.h5 && solve -q block.h5 --json block.json -o one.h5 && postprocess -q one.h5 --also friction_work -o one.csv"
+claim "the energies of a block that slides balance" within "$(json block.json energy_balance_error)" 0 1e-3
+runs "mpirun -n 2 solve -q block.h5 -o two.h5 && postprocess -q two.h5 --also friction_work -o two.csv"
+claim "two ranks move the same" within "$(awk -v a="$(last slide_mm one.csv)" -v b="$(last slide_mm two.csv)" 'BEGIN { print a / b }')" 0.9999 1.0001
+claim "two ranks dissipate the same in a motion" within "$(awk -v a="$(last friction_work_mJ one.csv)" -v b="$(last friction_work_mJ two.csv)" 'BEGIN { print a / b }')" 0.9999 1.0001
+runs "mesh-gen -q $block --set obstacles.ramp.friction=0.65 | solve -q | postprocess -q -o rests.csv"
+claim "it rests where the slope is less than the coefficient" within "$(last slide_mm rests.csv)" -1e-3 1e-3
+refuses 65 'mesh-gen: --set dynamics.integrator: rosenbrock * friction that slides is not linear; *' "mesh-gen $block --set dynamics.integrator=rosenbrock"

@@ -204,6 +204,20 @@ Outcome ramp(const std::string& design, double slope, const std::vector<std::str
          {"1 + the same, withdrawing [-]", 1 + std::tan(a - f), ratio(run.steps.back())}});
 }
 
+/// Under a weight that grows linearly with time: a = (sin a - f cos a) g t/T.
+Outcome sliding_block() {
+    const Run run = run_design("verification/contact-sliding-block.yaml", {});
+    constexpr double duration_s = 0.1, weight_N = 0.1 * 9.81, friction = 0.3;  // of 100 g
+    const double a = std::atan(0.6), by_g = std::sin(a) - friction * std::cos(a);
+    const double slid_mm = 1e3 * by_g * 9.81 * duration_s * duration_s / 6;
+    const auto& last = run.steps.back();
+    // The integral of the force f N t/T along the slid distance.
+    const double work_mJ = friction * weight_N * std::cos(a) * slid_mm * 3 / 4;
+    return compare(run, "Coulomb's law",
+                   {{"distance slid [mm]", slid_mm, -1e3 * last.outputs.at(0) / std::cos(a)},
+                    {"work of friction [mJ]", work_mJ, 1e3 * last.friction_J.value()}});
+}
+
 std::vector<Problem> mould_problems() {
     std::vector<Problem> problems;
     const auto add = [&](const char* name, const Mould& mould) {
@@ -239,6 +253,7 @@ std::vector<Problem> contact_problems() {
     add("sliding wedge", [] { return ramp("verification/contact-wedge.yaml", 0.1, {}); });
     add("sliding wedge, 1 mm cells", [] { return ramp("verification/contact-wedge.yaml", 0.1, {"mesh.size=1 mm"}); });
     add("block on an incline", [] { return ramp("verification/contact-incline.yaml", 0.3, {}); });
+    add("block that slides down a ramp", sliding_block);
     add("sphere on a block", [] {
         const double force_N = 16.0 / 3 * mu_Pa * std::sqrt(10e-3) * std::pow(0.02e-3, 1.5);
         return indentation("verification/contact-hertz-sphere.yaml", "Hertz", force_N, "1");
