@@ -129,7 +129,7 @@ public:
                 keep({kind, undeformed_location(pair.first, *xi), {pair.first, pair.second}});
         }
         for (const Hinge& hinge : hinges_)
-            if (allowed_share_ == 0 && is_closed(hinge, cones, positions)) keep(found_at(hinge));
+            if (is_closed(hinge, cones, positions)) keep(found_at(hinge));
         for (std::size_t f = 0; f < facets_.size(); ++f)
             for (std::size_t d = 0; d < 3; ++d)
                 if (mirrors_[d] && !initially_beyond_[d].contains(f))
@@ -164,7 +164,7 @@ private:
             if (pair.are_neighbours() && is_visible_from_one_side(cones[pair.first], cones[pair.second])) continue;
             if (is_touching(pair, undeformed_)) initial_contacts_.insert({i, j});
         }
-        hinges_ = hinges(mesh_, free_);
+        if (allowed_share_ == 0) hinges_ = hinges(mesh_, free_);
         constexpr double closed_slit = 1e-6;  // [rad] below a full turn
         std::erase_if(hinges_, [&](const Hinge& hinge) {
             return filled_angle(mesh_, hinge, mesh_.points) > 2 * std::numbers::pi - closed_slit;
@@ -348,7 +348,7 @@ private:
     std::array<double, 3> sides_{};                  ///< side of each mirror plane on which the body lies, +1 or -1
     std::set<std::array<int, 2>> initial_contacts_;  ///< pairs of facets that touch in the undeformed body
     std::array<std::set<std::size_t>, 3> initially_beyond_;  ///< facets beyond each mirror plane in the undeformed body
-    std::vector<Hinge> hinges_;
+    std::vector<Hinge> hinges_;                              ///< none where contact is solved
     struct Obstacle {
         std::string name;
         SignedDistance distance;

@@ -64,17 +64,20 @@ void assemble(Mat K) {
 }
 
 std::vector<double> gather(Vec distributed) {
-    Scatter to_zero;
-    Vector all;
-    SOFT_PETSC(VecScatterCreateToZero(distributed, to_zero.out(), all.out()));
-    SOFT_PETSC(VecScatterBegin(to_zero, distributed, all, INSERT_VALUES, SCATTER_FORWARD));
-    SOFT_PETSC(VecScatterEnd(to_zero, distributed, all, INSERT_VALUES, SCATTER_FORWARD));
-    PetscInt size = 0;  // 0 on the other ranks
-    SOFT_PETSC(VecGetLocalSize(all, &size));
+    const MPI_Comm ranks = PetscObjectComm(reinterpret_cast<PetscObject>(distributed));
+    int rank = 0, count = 0;
+    MPI_Comm_rank(ranks, &rank);
+    MPI_Comm_size(ranks, &count);
+    const PetscInt* begins = nullptr;
     const PetscScalar* values = nullptr;
-    SOFT_PETSC(VecGetArrayRead(all, &values));
-    std::vector<double> gathered(values, values + size);
-    SOFT_PETSC(VecRestoreArrayRead(all, &values));
+    SOFT_PETSC(VecGetOwnershipRanges(distributed, &begins));
+    std::vector<int> sizes;
+    for (int r = 0; r < count; ++r) sizes.push_back(static_cast<int>(begins[r + 1] - begins[r]));
+    std::vector<double> gathered(rank == 0 ? static_cast<std::size_t>(begins[count]) : 0);
+    SOFT_PETSC(VecGetArrayRead(distributed, &values));
+    MPI_Gatherv(values, sizes[static_cast<std::size_t>(rank)], MPI_DOUBLE, gathered.data(), sizes.data(), begins,
+                MPI_DOUBLE, 0, ranks);
+    SOFT_PETSC(VecRestoreArrayRead(distributed, &values));
     return gathered;
 }
 
