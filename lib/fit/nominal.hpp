@@ -24,7 +24,7 @@ template <class L>
     }
     D energy;
     if constexpr (material::StretchLaw<L>) {
-        energy = law.isochoric_energy(material::IsochoricStretches<D>{l, second, third});
+        energy = material::isochoric_energy_of_stretches(law, material::IsochoricStretches<D>{l, second, third});
     } else {
         const D a = l * l, b = second * second, c = third * third;
         energy = law.isochoric_energy(material::Invariants<D>{a + b + c, a * b + b * c + c * a});

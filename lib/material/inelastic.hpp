@@ -81,6 +81,10 @@ struct EnergyOfStep {
         const Softening::Slopes by_W = softening->slopes(W.v, W_max);
         return Dual<N>::compose(W, W.v, factor * by_W.eta, factor * by_W.slope);
     }
+    /// The derivative of the energy by W.
+    [[nodiscard]] double slope(double W) const {
+        return softening == nullptr ? factor : factor * softening->slopes(W, W_max).eta;
+    }
 };
 
 /// What a step needs of the internal variables at the points of a cell. Does not own them.

@@ -1,6 +1,7 @@
 #pragma once
 /// The variables of the energy functions.
 #include <array>
+#include <cmath>
 
 namespace soft::material {
 
@@ -15,5 +16,14 @@ struct Invariants {
 /// Principal stretches divided by J^1/3, in arbitrary order; their product is 1.
 template <class T>
 using IsochoricStretches = std::array<T, 3>;
+
+/// W_s of a law in principal stretches (StretchLaw).
+template <class L, class T>
+[[nodiscard]] T isochoric_energy_of_stretches(const L& law, const IsochoricStretches<T>& stretch) {
+    using std::log;
+    T sum = 0.0;
+    for (const T& l : stretch) sum += law.energy_of_log_stretch(log(l));
+    return sum;
+}
 
 }  // namespace soft::material

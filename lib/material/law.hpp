@@ -8,7 +8,7 @@
 /// incompressibility, Theta = 0. p is the derivative of the energy by Theta. A law is a plain struct that defines W_s by one
 /// of these functions:
 ///   isochoric_energy(Invariants of J^-2/3 C)            with Theta(J) chosen by the design and K = kappa
-///   isochoric_energy(IsochoricStretches)                the same in principal stretches
+///   energy_of_log_stretch(x)                            W_s is its sum over the logarithms of the isochoric principal stretches
 ///   shear_energy(Invariants of C, J)                    with Theta(J), or with the function `dilatation` of the law
 /// All of them can be combined with fibres (material/fibers.hpp), and a law may define its own fibres (`fibers_from`). Two laws
 /// have another form, do not support fibres, and have their own branch in response.hpp: small strain (LinearElastic) and a stress
@@ -60,8 +60,8 @@ concept InvariantLaw = requires(const L& law, const Invariants<Dual<3>>& bar) {
     { law.isochoric_energy(bar) } -> std::same_as<Dual<3>>;
 };
 template <class L>
-concept StretchLaw = requires(const L& law, const IsochoricStretches<Dual<3>>& stretch) {
-    { law.isochoric_energy(stretch) } -> std::same_as<Dual<3>>;
+concept StretchLaw = requires(const L& law, const Dual<1>& log_stretch) {
+    { law.energy_of_log_stretch(log_stretch) } -> std::same_as<Dual<1>>;
 };
 template <class L>
 concept CoupledLaw = requires(const L& law, const Invariants<Dual<3>>& I, const Dual<3>& J) {

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "material/invariants.hpp"
 #include "material/parameter.hpp"
 
 namespace soft::material {
@@ -21,12 +20,12 @@ struct Ogden {
     int count = 0;
 
     template <class T>
-    T isochoric_energy(const IsochoricStretches<T>& stretch) const {
-        using std::pow;
+    T energy_of_log_stretch(const T& x) const {
+        using std::exp;
         T sum = 0.0;
         for (int i = 0; i < count; ++i) {
             const auto& [mu_Pa, alpha] = terms[static_cast<std::size_t>(i)];
-            sum += mu_Pa / alpha * (pow(stretch[0], alpha) + pow(stretch[1], alpha) + pow(stretch[2], alpha) - 3.0);
+            sum += mu_Pa / alpha * (exp(alpha * x) - 1.0);
         }
         return sum;
     }

@@ -34,7 +34,8 @@ void add_principal_chain_rule(const Tensor& F, const Spectral& C, const Principa
     if (tangent == nullptr) return;
 
     // dS/dE in the eigenbasis: normal entries, and one shear entry per pair.
-    std::array<std::array<double, 3>, 3> normal, shear{};
+    std::array<std::array<double, 3>, 3> normal;
+    std::array<double, 3> shear;
     for (int a = 0; a < 3; ++a)
         for (int b = 0; b < 3; ++b)
             normal[a][b] = (slopes.second[a][b] - (a == b ? 2.0 * slopes.first[a] : 0.0)) / (C.value[a] * C.value[b]);
@@ -42,22 +43,34 @@ void add_principal_chain_rule(const Tensor& F, const Spectral& C, const Principa
         const int a = pair == 2 ? 1 : 0, b = pair == 0 ? 1 : 2;
         const double d = 0.25 * std::log(C.value[b] / C.value[a]);
         const double mean = 0.5 * (slopes.first[a] + slopes.first[b]);
-        shear[a][b] = shear[b][a] = (slopes.difference[pair] * quotient_of_tanh(d) - mean) / (C.value[a] * C.value[b]);
+        shear[pair] = (slopes.difference[pair] * quotient_of_tanh(d) - mean) / (C.value[a] * C.value[b]);
     }
-    for (int i = 0; i < 3; ++i)
-        for (int J = 0; J < 3; ++J)
-            for (int k = 0; k < 3; ++k)
-                for (int L = 0; L < 3; ++L) {
-                    double sum = 0;
-                    for (int a = 0; a < 3; ++a) {
-                        if (i == k) sum += S[a] * n[3 * J + a] * n[3 * L + a];
-                        for (int b = 0; b < 3; ++b)
-                            sum += normal[a][b] * m[3 * i + a] * n[3 * J + a] * m[3 * k + b] * n[3 * L + b] +
-                                   shear[a][b] * (m[3 * i + a] * n[3 * J + b] * m[3 * k + a] * n[3 * L + b] +
-                                                  m[3 * i + a] * n[3 * J + b] * m[3 * k + b] * n[3 * L + a]);
-                    }
-                    (*tangent)[9 * (3 * i + J) + 3 * k + L] += sum;
-                }
+    // A = sum_ab normal_ab D_aa (x) D_bb + sum_pairs shear_ab (D_ab + D_ba) (x) (D_ab + D_ba) + sum_a S_a 1 (x) n_a (x) n_a with the dyads
+    // D_ab = m_a (x) n_b: six products of a left and a right factor.
+    std::array<Tensor, 6> left, right{};
+    const auto dyad = [&](int a, int b, int m_component) {
+        return m[m_component / 3 * 3 + a] * n[m_component % 3 * 3 + b];
+    };
+    for (int p = 0; p < 9; ++p) {
+        for (int a = 0; a < 3; ++a) left[a][p] = dyad(a, a, p);
+        for (int pair = 0; pair < 3; ++pair) {
+            const int a = pair == 2 ? 1 : 0, b = pair == 0 ? 1 : 2;
+            left[3 + pair][p] = dyad(a, b, p) + dyad(b, a, p);
+            right[3 + pair][p] = shear[pair] * left[3 + pair][p];
+        }
+        for (int a = 0; a < 3; ++a)
+            for (int b = 0; b < 3; ++b) right[a][p] += normal[a][b] * left[b][p];
+    }
+    Tensor geometric{};
+    for (int J = 0; J < 3; ++J)
+        for (int L = 0; L < 3; ++L)
+            for (int a = 0; a < 3; ++a) geometric[3 * J + L] += S[a] * n[3 * J + a] * n[3 * L + a];
+    for (int p = 0; p < 9; ++p) {
+        double* row = &(*tangent)[9 * p];
+        for (int f = 0; f < 6; ++f)
+            for (int q = 0; q < 9; ++q) row[q] += left[f][p] * right[f][q];
+        for (int L = 0; L < 3; ++L) row[p / 3 * 3 + L] += geometric[p % 3 * 3 + L];
+    }
 }
 
 }  // namespace soft::material

@@ -143,17 +143,6 @@ template <class L>
         return slopes_of(step(shear_energy(rubber.law, at.I, at.J)) + volumetric);
 }
 
-/// A law in principal stretches with the energy of a step.
-template <class L>
-struct LawOfStep {
-    const L& law;
-    const EnergyOfStep& step;
-    template <class T>
-    T isochoric_energy(const IsochoricStretches<T>& stretch) const {
-        return step(law.isochoric_energy(stretch));
-    }
-};
-
 }  // namespace detail
 
 /// Mixed formulation: energy W(F, p) at fixed p.
@@ -191,8 +180,8 @@ template <class L>
 void add_terms_beyond_invariants(const Rubber<L>& rubber, const FiberAxes& axes, const Tensor& F, Wanted wanted,
                                  PointResponse& out, const EnergyOfStep& step = {}) {
     if constexpr (StretchLaw<L>)
-        add_principal_response(detail::LawOfStep<L>{rubber.law, step}, F,
-                               wanted == Wanted::stress_and_tangent ? &out.tangent : nullptr, out.first_piola);
+        add_principal_response(rubber.law, step, F, wanted == Wanted::stress_and_tangent ? &out.tangent : nullptr,
+                               out.first_piola);
     if constexpr (MayHaveFibers<L>)
         if (rubber.fibers) add_fibers_response(*rubber.fibers, axes, F, wanted, out);
 }
@@ -283,7 +272,7 @@ template <Law L>
         const auto shear_at = [&](const Tensor& at, double jacobian) {
             double shear = 0;
             if constexpr (StretchLaw<L>)
-                shear = rubber.law.isochoric_energy(isochoric_stretches(at));
+                shear = isochoric_energy_of_stretches(rubber.law, isochoric_stretches(at));
             else
                 shear = shear_energy(rubber.law, principal_invariants(at), jacobian);
             for (int family = 0; rubber.fibers && family < rubber.fibers->families; ++family)
@@ -303,7 +292,7 @@ template <Law L>
 template <Law L>
 [[nodiscard]] double isochoric_energy(const Rubber<L>& rubber, const Tensor& F) {
     if constexpr (StretchLaw<L>)
-        return rubber.law.isochoric_energy(isochoric_stretches(F));
+        return isochoric_energy_of_stretches(rubber.law, isochoric_stretches(F));
     else if constexpr (InvariantLaw<L>)
         return shear_energy(rubber.law, principal_invariants(F), determinant(F));
     else
@@ -317,8 +306,7 @@ template <Law L>
     if constexpr (MayBeInelastic<L>) {
         const detail::Variables at(principal_invariants(F), determinant(F));
         apply_chain_rule(F, detail::with_shear(rubber, at, Dual<3>{}, step), Wanted::stress, point);
-        if constexpr (StretchLaw<L>)
-            add_principal_response(detail::LawOfStep<L>{rubber.law, step}, F, nullptr, point.first_piola);
+        if constexpr (StretchLaw<L>) add_principal_response(rubber.law, step, F, nullptr, point.first_piola);
     } else {
         throw std::logic_error("isochoric_stress: the law has no isochoric energy");
     }
