@@ -9,6 +9,37 @@ double quotient_of_tanh(double d) {
     return d / std::tanh(2.0 * d);
 }
 
+/// A = sum_ab normal_ab D_aa (x) D_bb + sum_pairs shear_ab (D_ab + D_ba) (x) (D_ab + D_ba) + sum_a S_a 1 (x) n_a (x) n_a with the dyads
+/// D_ab = m_a (x) n_b: six products of a left and a right factor.
+void add_tangent(const Tensor& m, const Tensor& n, const std::array<double, 3>& S,
+                 const std::array<std::array<double, 3>, 3>& normal, const std::array<double, 3>& shear,
+                 Tangent& tangent) {
+    std::array<Tensor, 6> left, right{};
+    const auto dyad = [&](int a, int b, int m_component) {
+        return m[m_component / 3 * 3 + a] * n[m_component % 3 * 3 + b];
+    };
+    for (int p = 0; p < 9; ++p) {
+        for (int a = 0; a < 3; ++a) left[a][p] = dyad(a, a, p);
+        for (int pair = 0; pair < 3; ++pair) {
+            const int a = pair == 2 ? 1 : 0, b = pair == 0 ? 1 : 2;
+            left[3 + pair][p] = dyad(a, b, p) + dyad(b, a, p);
+            right[3 + pair][p] = shear[pair] * left[3 + pair][p];
+        }
+        for (int a = 0; a < 3; ++a)
+            for (int b = 0; b < 3; ++b) right[a][p] += normal[a][b] * left[b][p];
+    }
+    Tensor geometric{};
+    for (int J = 0; J < 3; ++J)
+        for (int L = 0; L < 3; ++L)
+            for (int a = 0; a < 3; ++a) geometric[3 * J + L] += S[a] * n[3 * J + a] * n[3 * L + a];
+    for (int p = 0; p < 9; ++p) {
+        double* row = &tangent[9 * p];
+        for (int f = 0; f < 6; ++f)
+            for (int q = 0; q < 9; ++q) row[q] += left[f][p] * right[f][q];
+        for (int L = 0; L < 3; ++L) row[p / 3 * 3 + L] += geometric[p % 3 * 3 + L];
+    }
+}
+
 }  // namespace
 
 std::array<double, 3> log_stretches(const Spectral& C) {
@@ -45,32 +76,7 @@ void add_principal_chain_rule(const Tensor& F, const Spectral& C, const Principa
         const double mean = 0.5 * (slopes.first[a] + slopes.first[b]);
         shear[pair] = (slopes.difference[pair] * quotient_of_tanh(d) - mean) / (C.value[a] * C.value[b]);
     }
-    // A = sum_ab normal_ab D_aa (x) D_bb + sum_pairs shear_ab (D_ab + D_ba) (x) (D_ab + D_ba) + sum_a S_a 1 (x) n_a (x) n_a with the dyads
-    // D_ab = m_a (x) n_b: six products of a left and a right factor.
-    std::array<Tensor, 6> left, right{};
-    const auto dyad = [&](int a, int b, int m_component) {
-        return m[m_component / 3 * 3 + a] * n[m_component % 3 * 3 + b];
-    };
-    for (int p = 0; p < 9; ++p) {
-        for (int a = 0; a < 3; ++a) left[a][p] = dyad(a, a, p);
-        for (int pair = 0; pair < 3; ++pair) {
-            const int a = pair == 2 ? 1 : 0, b = pair == 0 ? 1 : 2;
-            left[3 + pair][p] = dyad(a, b, p) + dyad(b, a, p);
-            right[3 + pair][p] = shear[pair] * left[3 + pair][p];
-        }
-        for (int a = 0; a < 3; ++a)
-            for (int b = 0; b < 3; ++b) right[a][p] += normal[a][b] * left[b][p];
-    }
-    Tensor geometric{};
-    for (int J = 0; J < 3; ++J)
-        for (int L = 0; L < 3; ++L)
-            for (int a = 0; a < 3; ++a) geometric[3 * J + L] += S[a] * n[3 * J + a] * n[3 * L + a];
-    for (int p = 0; p < 9; ++p) {
-        double* row = &(*tangent)[9 * p];
-        for (int f = 0; f < 6; ++f)
-            for (int q = 0; q < 9; ++q) row[q] += left[f][p] * right[f][q];
-        for (int L = 0; L < 3; ++L) row[p / 3 * 3 + L] += geometric[p % 3 * 3 + L];
-    }
+    add_tangent(m, n, S, normal, shear, *tangent);
 }
 
 }  // namespace soft::material

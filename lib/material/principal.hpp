@@ -6,7 +6,7 @@
 ///       + sum_{a != b} (S_b - S_a)/(l_b^2 - l_a^2) (n_abab + n_abba).
 /// The quotient is computed without cancellation for any two stretches, including equal ones: with half the difference
 /// d = (e_b - e_a)/2 it is (r d/tanh(2 d) - T)/(l_a l_b)^2, T = (tau_a + tau_b)/2 and r = (tau_b - tau_a)/(2 d). For small d, r is
-/// computed as the mean of w'' between the two states (three-point Gauss rule, exact to rounding).
+/// computed as the mean of w'' between the two states by a three-point Gauss rule.
 /// Sources: Holzapfel, Nonlinear Solid Mechanics (2000), 6.180; Valanis, Landel, J. Appl. Phys. 38 (1967) 2997; the quotient is derived
 /// here. Tested by material/law_test.
 #include <array>
@@ -36,16 +36,38 @@ void add_principal_chain_rule(const Tensor& F, const Spectral& C, const Principa
 /// e_a = ln l_a from the spectral decomposition of C.
 [[nodiscard]] std::array<double, 3> log_stretches(const Spectral& C);
 
+/// (w'(x_b) - w'(x_a))/(2 d) of the pairs (0, 1), (0, 2), (1, 2). `at`: w(x_a).
 template <class L>
-[[nodiscard]] PrincipalSlopes principal_slopes(const L& law, const EnergyOfStep& step, const std::array<double, 3>& e) {
-    // For larger distances the plain quotient loses less than two of its fourteen digits. For smaller ones the error of the Gauss
-    // rule, of order (alpha d)^6 / 2e6, is below rounding for all practical exponents.
-    constexpr double near = 0.01;
+[[nodiscard]] std::array<double, 3> pair_quotients(const L& law, const std::array<double, 3>& x,
+                                                   const std::array<Dual<1>, 3>& at) {
+    // For larger distances the plain quotient loses about two of its fourteen digits. For smaller ones the relative error of the Gauss
+    // rule is of the order of (2 alpha d)^6 / 2e6: 3e-11 at an exponent of 20.
+    constexpr double near = 0.005;
     constexpr std::array<double, 3> node{0.11270166537925831, 0.5, 0.88729833462074169};  // Gauss-Legendre on [0, 1]
     constexpr std::array<double, 3> weight{5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
-    const auto w = [&](double x) { return law.energy_of_log_stretch(Dual<1>::variable(x, 0)); };
+    std::array<double, 3> quotients{};
+    for (int pair = 0; pair < 3; ++pair) {
+        const int a = pair == 2 ? 1 : 0, b = pair == 0 ? 1 : 2;
+        const double change = x[b] - x[a];
+        if (std::abs(change) > 2.0 * near) {
+            quotients[pair] = (at[b].g[0] - at[a].g[0]) / change;
+            continue;
+        }
+        for (int k = 0; k < 3; ++k)
+            quotients[pair] +=
+                weight[k] * law.energy_of_log_stretch(Dual<1>::variable(x[a] + node[k] * change, 0)).h[0];
+    }
+    return quotients;
+}
+
+/// `difference` only with `of_tangent`.
+template <class L>
+[[nodiscard]] PrincipalSlopes principal_slopes(const L& law, const EnergyOfStep& step, const std::array<double, 3>& e,
+                                               bool of_tangent) {
     const double mean = (e[0] + e[1] + e[2]) / 3.0;
-    const std::array<Dual<1>, 3> at{w(e[0] - mean), w(e[1] - mean), w(e[2] - mean)};
+    const std::array<double, 3> x{e[0] - mean, e[1] - mean, e[2] - mean};
+    std::array<Dual<1>, 3> at;
+    for (int a = 0; a < 3; ++a) at[a] = law.energy_of_log_stretch(Dual<1>::variable(x[a], 0));
     const Dual<1> third = (at[0] + at[1] + at[2]) * (1.0 / 3.0);
     Dual<3> W = 3.0 * third.v;
     for (int a = 0; a < 3; ++a) {
@@ -53,17 +75,11 @@ template <class L>
         for (int b = a; b < 3; ++b)
             W.h[Dual<3>::packed(a, b)] = (a == b ? at[a].h[0] : 0.0) - (at[a].h[0] + at[b].h[0] - third.h[0]) / 3.0;
     }
-    const double by_W = step.slope(W.v);
     PrincipalSlopes slopes;
-    for (int pair = 0; pair < 3; ++pair) {
-        const int a = pair == 2 ? 1 : 0, b = pair == 0 ? 1 : 2;
-        const double d = 0.5 * (e[b] - e[a]);
-        double quotient = 0;
-        if (std::abs(d) > near)
-            quotient = 0.5 * (at[b].g[0] - at[a].g[0]) / d;
-        else
-            for (int k = 0; k < 3; ++k) quotient += weight[k] * w(e[a] - mean + 2.0 * node[k] * d).h[0];
-        slopes.difference[pair] = by_W * quotient;
+    if (of_tangent) {
+        const double by_W = step.slope(W.v);
+        slopes.difference = pair_quotients(law, x, at);
+        for (double& quotient : slopes.difference) quotient *= by_W;
     }
     W = step(W);
     for (int a = 0; a < 3; ++a) {
@@ -77,7 +93,8 @@ template <class L>
 void add_principal_response(const L& law, const EnergyOfStep& step, const Tensor& F, Tangent* tangent,
                             Tensor& first_piola) {
     const Spectral C = spectral_form(right_cauchy_green(F));
-    add_principal_chain_rule(F, C, principal_slopes(law, step, log_stretches(C)), tangent, first_piola);
+    add_principal_chain_rule(F, C, principal_slopes(law, step, log_stretches(C), tangent != nullptr), tangent,
+                             first_piola);
 }
 
 }  // namespace soft::material

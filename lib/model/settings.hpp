@@ -71,7 +71,7 @@ struct Dynamics {
     double step_s = 0;             ///< 0: chosen from `accuracy`, or from the stability limit of an explicit integrator
     double accuracy = 1e-4;        ///< target error per step relative to the size of the motion, if step_s is 0
     double spectral_radius = 0.8;  ///< of generalized_alpha and hht (>= 1/2) at infinite frequency; 1: no damping
-    double mass_damping_1_s = 0;   ///< Rayleigh: C = mass_damping M + stiffness_damping K(undeformed)
+    double mass_damping_1_s = 0;   ///< Rayleigh: C = mass_damping M + stiffness_damping K(undeformed, without contact)
     double stiffness_damping_s = 0;
     int rows = 2000;  ///< maximum number of rows of the path (constant steps: every n-th step is written)
 };

@@ -1,7 +1,7 @@
 #pragma once
-/// Energy balance of the rows of a path: work of the loads = stored + kinetic energy + dissipation by damping, all relative to the
+/// Energy balance of the rows of a path: work of the loads = stored + kinetic energy + dissipation by damping and friction, all relative to the
 /// first row. The error is the difference in the worst row divided by the largest of the four energies in any row. A static path has
-/// the first two terms and the energy that snaps set free. For a law without an energy function there is no balance. Tested by post/energy_balance_test,
+/// the first two terms, friction, and the energy that snaps set free. For a law without an energy function there is no balance. Tested by post/energy_balance_test,
 /// Pipeline.AnEarlyEndKeepsTheConvergedSteps and Pipeline.MotionInTimeKeepsItsEnergyBalanceAndItsRows.
 #include <optional>
 #include <string>

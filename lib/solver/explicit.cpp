@@ -25,13 +25,10 @@ double amplification(model::Integrator integrator, double omega, double zeta, do
 
 }  // namespace
 
-double longest_stable_step_s(model::Integrator integrator, const model::Dynamics& dynamics, double omega) {
-    const double zeta = 0.5 * (dynamics.mass_damping_1_s / omega + dynamics.stiffness_damping_s * omega);
+double longest_stable_step_s(model::Integrator integrator, double duration_s, double omega, double zeta) {
     const double central = 2.0 / omega * (std::sqrt(1.0 + zeta * zeta) - zeta);
     if (integrator == model::Integrator::central_difference) return central;
-    const auto grows = [&](double h) {
-        return amplification(integrator, omega, zeta, h) > std::exp(h / dynamics.duration_s);
-    };
+    const auto grows = [&](double h) { return amplification(integrator, omega, zeta, h) > std::exp(h / duration_s); };
     // Bisection is valid: beyond the stable interval the amplification only increases.
     double stable = 0, unstable = 4.0 / omega;
     for (int i = 0; i < bisections; ++i) {
@@ -109,7 +106,10 @@ double StableStep::estimate(const MotionState& state) {
         if (settled) break;
     }
     omega_ = std::sqrt(std::abs(square));  // negative where a compressed body is unstable: then the growth rate
-    return longest_stable_step_s(integrator_, equations_.dynamics(), omega_);
+    SOFT_PETSC(VecZeroEntries(image_));
+    equations_.add_damping(image_, 1.0, mode_);
+    const double zeta = 0.25 * linalg::dot(mode_, image_) / (omega_ * kinetic_energy(equations_, mode_));
+    return longest_stable_step_s(integrator_, equations_.dynamics().duration_s, omega_, zeta);
 }
 
 }  // namespace soft::solver

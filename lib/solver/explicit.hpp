@@ -3,7 +3,7 @@
 /// Central difference with the velocity in the middle of the step (lumped mass, so that no system is solved):
 ///   v(1/2) = v0 + h/2 a0,   x1 = x0 + h v(1/2),   a1 = M^-1 (-R(x1, t1) - C v(1/2)),   v1 = v(1/2) + h/2 a1
 /// (the part mass_damping M of C is evaluated at v1, which needs no extra work and keeps the order).
-/// Longest stable steps; w is the highest frequency of (K(x), M), its damping z = mass_damping / 2w + stiffness_damping w / 2:
+/// Longest stable steps; w is the highest frequency of (K(x), M), z the damping of its mode f, f.C f / (2 w f.M f):
 ///   central difference: 2/w (sqrt(1 + z^2) - z). Belytschko, Liu and Moran (2000) 6.2.
 ///   Heun, explicit Euler: the longest step in which the stability function R(h s) of the mode's roots s does not exceed
 ///   exp(h / duration). Both amplify an undamped mode at any step, by about (w h)^4 / 8 and (w h)^2 / 2 a step: the bound lets
@@ -43,7 +43,7 @@ private:
     double omega_ = 0;
 };
 
-/// The longest stable step for the highest frequency omega [rad/s].
-[[nodiscard]] double longest_stable_step_s(model::Integrator integrator, const model::Dynamics& dynamics, double omega);
+/// The longest stable step for the highest frequency omega [rad/s] with the damping ratio zeta.
+[[nodiscard]] double longest_stable_step_s(model::Integrator integrator, double duration_s, double omega, double zeta);
 
 }  // namespace soft::solver

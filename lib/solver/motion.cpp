@@ -233,6 +233,7 @@ void MotionFollower::accept(double step_s, std::optional<double> error) {
         history_.push_front({last_.time_s, copy_of(last_.x)});
         if (history_.size() > static_cast<std::size_t>(order_)) history_.pop_back();
     }
+    size_ = std::max(size_, equations_.displacement_norm(next_.x));
     std::swap(last_, next_);
     if (!system_.internal().is_empty() || system_.contact().has_friction()) {
         system_.prescribe(equations_.levels(last_.time_s, equations_.lines().pressures(last_.x, last_.masses_kg)));
@@ -266,8 +267,8 @@ void MotionFollower::accept(double step_s, std::optional<double> error) {
 
 std::optional<double> MotionFollower::relative_error(const StepResult& result, double step_s) {
     if (!is_adaptive()) return std::nullopt;
-    size_ = std::max(size_, equations_.displacement_norm(next_.x));
-    if (result.error_m) return *result.error_m / size_;
+    const double size = std::max(size_, equations_.displacement_norm(next_.x));
+    if (result.error_m) return *result.error_m / size;
     if (error_constant_ == 0.0 || history_.size() < static_cast<std::size_t>(order_)) return std::nullopt;
     std::vector<std::pair<double, Vec>> positions{{next_.time_s, next_.x}, {last_.time_s, last_.x}};
     for (const auto& position : history_) positions.emplace_back(position.time_s, position.x);
@@ -280,7 +281,7 @@ std::optional<double> MotionFollower::relative_error(const StepResult& result, d
         linalg::add(difference, weight, positions[i].second);
         if (i > 0) factorial *= static_cast<double>(i);
     }
-    return error_constant_ * factorial * equations_.displacement_norm(difference) / size_;
+    return error_constant_ * factorial * equations_.displacement_norm(difference) / size;
 }
 
 void MotionFollower::adapt(std::optional<double> error, double step_s) {

@@ -1,6 +1,6 @@
 #pragma once
 /// Integrates the motion of a case in time (model::Dynamics), from rest in the undeformed state:
-///   M a + C v + R(x, levels(t), p) = 0,      C = mass_damping M + stiffness_damping K(undeformed)
+///   M a + C v + R(x, levels(t), p) = 0,      C = mass_damping M + stiffness_damping K(undeformed, without contact)
 ///   dm/dt = ambient density (source(t) - p) / resistance,  p = P(V(x), m)      of a supply with a line (stage_loads.hpp)
 /// with R of fem/system.hpp and M the mass matrix of the displacements (fem/mass.hpp; consistent, lumped for explicit
 /// integrators). Pressure unknowns of mixed cells have no mass: their rows are satisfied at all times, and explicit integrators

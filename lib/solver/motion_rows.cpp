@@ -51,8 +51,9 @@ void MotionFollower::append() {
                    whole * (damping_work_J_ + system_.internal().dissipated_J())};
     if (auto problem = check_plausibility(step)) return finish(model::StopReason::diverged, std::move(*problem));
     const std::string state = short_text(last_.time_s) + " s, " + solver::state_text(point, input_);
-    const auto contact = contact_in(last_);
-    if (contact && input_.path.contact == model::Contact::solve) {  // of explicit steps
+    const bool solved = input_.path.contact == model::Contact::solve;
+    const auto contact = solved && (!explicit_ || rows_ == 0) ? std::nullopt : contact_in(last_);
+    if (contact && solved) {
         const Stop stop = unresolved(*contact, state);
         return finish(stop.reason, stop.detail);
     }

@@ -145,10 +145,15 @@ claim "killed programs give exit code 2" exits 2
 claim "the rows contain the signal" [ "$(grep -c ',failed,137,solve: killed by signal 9$' crashed/results.csv)" -eq 4 ]
 runs "$sweep rods.yaml --folder crashed"
 claim "the next run computes them" cmp first.csv crashed/results.csv
-printf '#!/bin/sh\nif [ "$1" != --batch ]; then exec %s/solve "$@"; fi\nhead -n 1 | %s/solve --batch\nkill -9 $$\n' "$bin" "$bin" >fake/solve
+cat >fake/solve <<END
+#!/bin/sh
+if [ "\$1" = --version ]; then exec $bin/solve --version; fi
+head -n 1 | $bin/solve --batch
+kill -9 \$\$
+END
 runs "PATH=$PWD/fake:\$PATH $sweep rods.yaml --folder again --jobs 1"
 claim "a design after which the program dies does not cost the next one" [ "$(grep -c ',failed,' again/results.csv)" -eq 0 ]
-printf '#!/bin/sh\nsleep 30\n' >fake/solve
+sed -i -e '/^head/d' -e 's/^kill .*/sleep 30/' fake/solve
 
 printf 'design: designs/rod.yaml\nvary: {geometry.width: [8 mm]}\nset: {mesh.size: 20 mm}\n' >one.yaml
 run "PATH=$PWD/fake:\$PATH $sweep one.yaml --limit 1"
