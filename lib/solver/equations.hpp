@@ -1,8 +1,8 @@
 #pragma once
 /// The equations of motion of a case (motion.hpp) at a state, for the integrators; internal to the module.
 ///   r = M a + C v + R(x, levels(t, p)),      C = mass_damping M + stiffness_damping K0
-/// K0 is the displacement block of the undeformed tangent without contact. The pressure rows are not damped, so that an incompressible body stays
-/// incompressible; for mixed cells K0 has no volumetric part (design/plausibility warns).
+/// K0 is the displacement block of the undeformed tangent without contact. The pressure rows are not damped, so that an incompressible body
+/// stays incompressible; for mixed cells K0 has no volumetric part (design/plausibility warns).
 /// Lines: the gas behind the resistance of load k has mass m_k and pressure p_k = P(V_k(x), m_k);
 ///   dm_k/dt = rho (source_k(t) - p_k) / resistance_k.
 /// Tested by solver/dynamics_test.
