@@ -52,7 +52,7 @@ void MotionFollower::append() {
     if (auto problem = check_plausibility(step)) return finish(model::StopReason::diverged, std::move(*problem));
     const std::string state = short_text(last_.time_s) + " s, " + solver::state_text(point, input_);
     const bool solved = input_.path.contact == model::Contact::solve;
-    const auto contact = solved && (!explicit_ || rows_ == 0) ? std::nullopt : contact_in(last_);
+    const auto contact = solved && !explicit_ ? std::nullopt : contact_in(last_);  // implicit steps are checked
     if (contact && solved) {
         const Stop stop = unresolved(*contact, state);
         return finish(stop.reason, stop.detail);
