@@ -3,6 +3,8 @@
 /// F = diag(l, t(l), ...) with det F = 1, the stress P satisfies dW/dl = k P, k = 1 (uniaxial, planar) or 2 (equibiaxial: two
 /// directions are stretched). W is differentiated by forward AD in one variable, which is many times faster than
 /// material::homogeneous_state. fit/nominal_test compares both. Source: work conjugacy, derived here.
+#include <array>
+
 #include "material/homogeneous.hpp"
 #include "material/law.hpp"
 #include "math/dual.hpp"
@@ -24,7 +26,7 @@ template <class L>
     }
     D energy;
     if constexpr (material::StretchLaw<L>) {
-        energy = material::isochoric_energy_of_stretches(law, material::IsochoricStretches<D>{l, second, third});
+        energy = material::energy_of_log_stretches(law, std::array<D, 3>{log(l), log(second), log(third)});
     } else {
         const D a = l * l, b = second * second, c = third * third;
         energy = law.isochoric_energy(material::Invariants<D>{a + b + c, a * b + b * c + c * a});

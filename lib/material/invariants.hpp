@@ -1,7 +1,6 @@
 #pragma once
 /// The variables of the energy functions.
 #include <array>
-#include <cmath>
 
 namespace soft::material {
 
@@ -13,17 +12,10 @@ struct Invariants {
     T I2;
 };
 
-/// Principal stretches divided by J^1/3, in arbitrary order; their product is 1.
-template <class T>
-using IsochoricStretches = std::array<T, 3>;
-
-/// W_s of a law in principal stretches (StretchLaw).
+/// W_s of a law in principal stretches (StretchLaw) at the logarithms of the isochoric ones.
 template <class L, class T>
-[[nodiscard]] T isochoric_energy_of_stretches(const L& law, const IsochoricStretches<T>& stretch) {
-    using std::log;
-    T sum = 0.0;
-    for (const T& l : stretch) sum += law.energy_of_log_stretch(log(l));
-    return sum;
+[[nodiscard]] T energy_of_log_stretches(const L& law, const std::array<T, 3>& x) {
+    return law.energy_of_log_stretch(x[0]) + law.energy_of_log_stretch(x[1]) + law.energy_of_log_stretch(x[2]);
 }
 
 }  // namespace soft::material

@@ -21,7 +21,7 @@ void add_tangent(const Tensor& m, const Tensor& n, const std::array<double, 3>& 
     for (int p = 0; p < 9; ++p) {
         for (int a = 0; a < 3; ++a) left[a][p] = dyad(a, a, p);
         for (int pair = 0; pair < 3; ++pair) {
-            const int a = pair == 2 ? 1 : 0, b = pair == 0 ? 1 : 2;
+            const auto [a, b] = principal_pairs[pair];
             left[3 + pair][p] = dyad(a, b, p) + dyad(b, a, p);
             right[3 + pair][p] = shear[pair] * left[3 + pair][p];
         }
@@ -42,14 +42,10 @@ void add_tangent(const Tensor& m, const Tensor& n, const std::array<double, 3>& 
 
 }  // namespace
 
-std::array<double, 3> log_stretches(const Spectral& C) {
-    return {0.5 * std::log(C.value[0]), 0.5 * std::log(C.value[1]), 0.5 * std::log(C.value[2])};
-}
-
-IsochoricStretches<double> isochoric_stretches(const Tensor& F) {
-    const auto e = log_stretches(spectral_form(right_cauchy_green(F)));
+std::array<double, 3> isochoric_log_stretches(const Spectral& C) {
+    const std::array<double, 3> e{0.5 * std::log(C.value[0]), 0.5 * std::log(C.value[1]), 0.5 * std::log(C.value[2])};
     const double mean = (e[0] + e[1] + e[2]) / 3.0;
-    return {std::exp(e[0] - mean), std::exp(e[1] - mean), std::exp(e[2] - mean)};
+    return {e[0] - mean, e[1] - mean, e[2] - mean};
 }
 
 void add_principal_chain_rule(const Tensor& F, const Spectral& C, const PrincipalSlopes& slopes, Tangent* tangent,
@@ -71,7 +67,7 @@ void add_principal_chain_rule(const Tensor& F, const Spectral& C, const Principa
         for (int b = 0; b < 3; ++b)
             normal[a][b] = (slopes.second[a][b] - (a == b ? 2.0 * slopes.first[a] : 0.0)) / (C.value[a] * C.value[b]);
     for (int pair = 0; pair < 3; ++pair) {
-        const int a = pair == 2 ? 1 : 0, b = pair == 0 ? 1 : 2;
+        const auto [a, b] = principal_pairs[pair];
         const double d = 0.25 * std::log(C.value[b] / C.value[a]);
         const double mean = 0.5 * (slopes.first[a] + slopes.first[b]);
         shear[pair] = (slopes.difference[pair] * quotient_of_tanh(d) - mean) / (C.value[a] * C.value[b]);

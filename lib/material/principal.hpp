@@ -20,23 +20,22 @@
 
 namespace soft::material {
 
+inline constexpr std::array<std::array<int, 2>, 3> principal_pairs{{{0, 1}, {0, 2}, {1, 2}}};
+
 struct PrincipalSlopes {
     std::array<double, 3> first{};                  ///< tau_a
     std::array<std::array<double, 3>, 3> second{};  ///< H_ab
-    std::array<double, 3> difference{};             ///< r of the pairs (0, 1), (0, 2), (1, 2)
+    std::array<double, 3> difference{};             ///< r of the pairs
 };
 
 /// Adds P and, unless `tangent` is null, A = dP/dF for an energy with these slopes. `C` is the spectral decomposition of F^T F.
 void add_principal_chain_rule(const Tensor& F, const Spectral& C, const PrincipalSlopes& slopes, Tangent* tangent,
                               Tensor& first_piola);
 
-/// l_a J^-1/3.
-[[nodiscard]] IsochoricStretches<double> isochoric_stretches(const Tensor& F);
+/// x_a from the spectral decomposition of C.
+[[nodiscard]] std::array<double, 3> isochoric_log_stretches(const Spectral& C);
 
-/// e_a = ln l_a from the spectral decomposition of C.
-[[nodiscard]] std::array<double, 3> log_stretches(const Spectral& C);
-
-/// (w'(x_b) - w'(x_a))/(2 d) of the pairs (0, 1), (0, 2), (1, 2). `at`: w(x_a).
+/// (w'(x_b) - w'(x_a))/(2 d) of the pairs. `at`: w(x_a).
 template <class L>
 [[nodiscard]] std::array<double, 3> pair_quotients(const L& law, const std::array<double, 3>& x,
                                                    const std::array<Dual<1>, 3>& at) {
@@ -47,7 +46,7 @@ template <class L>
     constexpr std::array<double, 3> weight{5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
     std::array<double, 3> quotients{};
     for (int pair = 0; pair < 3; ++pair) {
-        const int a = pair == 2 ? 1 : 0, b = pair == 0 ? 1 : 2;
+        const auto [a, b] = principal_pairs[pair];
         const double change = x[b] - x[a];
         if (std::abs(change) > 2.0 * near) {
             quotients[pair] = (at[b].g[0] - at[a].g[0]) / change;
@@ -62,10 +61,8 @@ template <class L>
 
 /// `difference` only with `of_tangent`.
 template <class L>
-[[nodiscard]] PrincipalSlopes principal_slopes(const L& law, const EnergyOfStep& step, const std::array<double, 3>& e,
+[[nodiscard]] PrincipalSlopes principal_slopes(const L& law, const EnergyOfStep& step, const std::array<double, 3>& x,
                                                bool of_tangent) {
-    const double mean = (e[0] + e[1] + e[2]) / 3.0;
-    const std::array<double, 3> x{e[0] - mean, e[1] - mean, e[2] - mean};
     std::array<Dual<1>, 3> at;
     for (int a = 0; a < 3; ++a) at[a] = law.energy_of_log_stretch(Dual<1>::variable(x[a], 0));
     const Dual<1> third = (at[0] + at[1] + at[2]) * (1.0 / 3.0);
@@ -93,7 +90,7 @@ template <class L>
 void add_principal_response(const L& law, const EnergyOfStep& step, const Tensor& F, Tangent* tangent,
                             Tensor& first_piola) {
     const Spectral C = spectral_form(right_cauchy_green(F));
-    add_principal_chain_rule(F, C, principal_slopes(law, step, log_stretches(C), tangent != nullptr), tangent,
+    add_principal_chain_rule(F, C, principal_slopes(law, step, isochoric_log_stretches(C), tangent != nullptr), tangent,
                              first_piola);
 }
 

@@ -272,7 +272,8 @@ template <Law L>
         const auto shear_at = [&](const Tensor& at, double jacobian) {
             double shear = 0;
             if constexpr (StretchLaw<L>)
-                shear = isochoric_energy_of_stretches(rubber.law, isochoric_stretches(at));
+                shear =
+                    energy_of_log_stretches(rubber.law, isochoric_log_stretches(spectral_form(right_cauchy_green(at))));
             else
                 shear = shear_energy(rubber.law, principal_invariants(at), jacobian);
             for (int family = 0; rubber.fibers && family < rubber.fibers->families; ++family)
@@ -292,7 +293,7 @@ template <Law L>
 template <Law L>
 [[nodiscard]] double isochoric_energy(const Rubber<L>& rubber, const Tensor& F) {
     if constexpr (StretchLaw<L>)
-        return isochoric_energy_of_stretches(rubber.law, isochoric_stretches(F));
+        return energy_of_log_stretches(rubber.law, isochoric_log_stretches(spectral_form(right_cauchy_green(F))));
     else if constexpr (InvariantLaw<L>)
         return shear_energy(rubber.law, principal_invariants(F), determinant(F));
     else

@@ -58,8 +58,8 @@ Matrix stiffness_at(const Rubber<L>& rubber, const Stretches& stretch) {
         if constexpr (StretchLaw<L>) {
             // Only isochoric increments are needed, so the stretches need not be divided by J. That division would mix the three
             // stiffnesses, and the rounding error of the largest one would exceed a small one.
-            W = isochoric_energy_of_stretches(rubber.law,
-                                              IsochoricStretches<Dual<3>>{sqrt(l2[0]), sqrt(l2[1]), sqrt(l2[2])});
+            W = energy_of_log_stretches(rubber.law,
+                                        std::array<Dual<3>, 3>{0.5 * log(l2[0]), 0.5 * log(l2[1]), 0.5 * log(l2[2])});
         } else {
             W = shear_energy(rubber.law, I, J);
             if (increments_of(rubber) == Increments::all) {

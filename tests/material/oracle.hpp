@@ -85,8 +85,8 @@ Number energy_of(const Rubber<L>& rubber, const Tensor& at, const FiberAxes& axe
         } else if constexpr (StretchLaw<L>) {
             std::array<Number, 3> bar;
             const auto squared = squared_stretches(V);
-            for (std::size_t a = 0; a < 3; ++a) bar[a] = sqrt(squared[a]) * pow(J, -1.0 / 3.0);
-            W += isochoric_energy_of_stretches(rubber.law, IsochoricStretches<Number>{bar});
+            for (std::size_t a = 0; a < 3; ++a) bar[a] = log(sqrt(squared[a]) * pow(J, -1.0 / 3.0));
+            W += energy_of_log_stretches(rubber.law, bar);
         } else {
             W += rubber.law.isochoric_energy(Invariants<Number>{I.I1 * pow(J, -2.0 / 3.0), I.I2 * pow(J, -4.0 / 3.0)});
         }
