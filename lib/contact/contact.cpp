@@ -25,6 +25,9 @@ namespace {
 using mesh::Facet;
 using mesh::Point;
 
+/// Of the size of the body: how far points on a symmetry plane are beyond it by rounding.
+constexpr double rounding = 1e-12;
+
 enum class Kind { pair, plane, axis, obstacle, wall };
 
 struct Found {
@@ -88,6 +91,7 @@ public:
           facets_(mesh_, free_),
           undeformed_(facets_.shape(mesh_.points)),
           tolerance_m_(mesh::plane_tolerance * mesh::extent_m(mesh_)),
+          rounding_m_(rounding * mesh::extent_m(mesh_)),
           allowed_share_(model.path.contact == model::Contact::solve ? model.contact.distance : 0) {
         for (std::size_t d = 0; d < 3; ++d) {
             double sum = 0;
@@ -117,13 +121,15 @@ public:
             if (!best || found < *best) best = found;
         };
         const DividedShape now = facets_.shape(positions);
-        const std::vector<NormalCone> cones = normal_cones(now);
+        const std::vector<NormalCone> cones = normal_cones(positions);
         for (const auto& [i, j] : surface::overlapping_pairs(now.boxes)) {
             const FacetPair pair{&facets_, static_cast<std::size_t>(i), static_cast<std::size_t>(j)};
             if (pair.are_neighbours() && is_visible_from_one_side(cones[pair.first], cones[pair.second])) continue;
             if (is_initial_contact(i, j) || has_rubber_between(pair)) continue;
-            const auto xi = find_crossing(pair, undeformed_, now);
-            if (!xi || !is_confirmed(pair, positions)) continue;
+            // A fold between neighbours is seen in the fine subdivision only: of the coarse one, it closes pieces that share a point.
+            if (!pair.are_neighbours() && !find_crossing(pair, undeformed_, now)) continue;
+            const auto xi = find_fine_crossing(pair, positions);
+            if (!xi) continue;
             const Kind kind = kind_of(pair, positions);
             if (kind == Kind::wall || is_deep(pair, positions))
                 keep({kind, undeformed_location(pair.first, *xi), {pair.first, pair.second}});
@@ -133,11 +139,11 @@ public:
         for (std::size_t f = 0; f < facets_.size(); ++f)
             for (std::size_t d = 0; d < 3; ++d)
                 if (mirrors_[d] && !initially_beyond_[d].contains(f))
-                    if (const Depth at = depth(f, d, positions); at.depth_m > tolerance_m_) {
-                        const bool through_air = faces_plane(f, d, at.xi, positions);
-                        if (through_air && at.depth_m > allowed_depth_m(f))
+                    if (const Depth at = depth(f, d, positions); at.depth_m > rounding_m_) {
+                        if (at.depth_m > std::max(tolerance_m_, allowed_depth_m(f)) &&
+                            faces_plane(f, d, at.xi, positions))
                             keep({kind_of(d), undeformed_location(f, at.xi), {f, f}});
-                        else if (!through_air && has_inverted_cell(mesh_, std::span{&facets_.facet(f), 1}, positions))
+                        else if (has_inverted_cell(mesh_, std::span{&facets_.facet(f), 1}, positions))
                             keep({Kind::wall, undeformed_location(f, at.xi), {f, f}});
                     }
         for (std::size_t k = 0; allowed_share_ > 0 && k < obstacles_.size(); ++k)
@@ -151,7 +157,7 @@ public:
 
 private:
     void exclude_initial_contacts() {
-        const std::vector<NormalCone> cones = normal_cones(undeformed_);
+        const std::vector<NormalCone> cones = normal_cones(mesh_.points);
         std::vector<surface::Box> grown = undeformed_.boxes;
         for (surface::Box& box : grown)
             for (std::size_t d = 0; d < 3; ++d) {
@@ -174,9 +180,10 @@ private:
                 if (mirrors_[d] && depth(f, d, mesh_.points).depth_m > tolerance_m_) initially_beyond_[d].insert(f);
     }
 
-    [[nodiscard]] std::vector<NormalCone> normal_cones(const DividedShape& shape) const {
+    [[nodiscard]] std::vector<NormalCone> normal_cones(std::span<const Point> positions) const {
         std::vector<NormalCone> cones;
-        for (std::size_t f = 0; f < facets_.size(); ++f) cones.push_back(facets_.normals(shape, f));
+        for (std::size_t f = 0; f < facets_.size(); ++f)
+            cones.push_back(normals(make_patch(surface::facet_map(mesh_, facets_.facet(f), positions))));
         return cones;
     }
 
@@ -189,11 +196,12 @@ private:
         return share_a_side(cell_corners(mesh_, a), cell_corners(mesh_, b), mesh_.dimension);
     }
 
-    /// Whether the facets intersect in the fine subdivision too, which separates the two sides of a thin wall.
-    [[nodiscard]] bool is_confirmed(const FacetPair& pair, const std::vector<Point>& positions) const {
+    /// Where the facets intersect in the fine subdivision, which separates the two sides of a thin wall.
+    [[nodiscard]] std::optional<surface::FacetPoint> find_fine_crossing(const FacetPair& pair,
+                                                                        const std::vector<Point>& positions) const {
         const std::array<Facet, 2> both{facets_.facet(pair.first), facets_.facet(pair.second)};
         const DividedFacets fine{mesh_, both, Fineness::fine};
-        return find_crossing({&fine, 0, 1}, fine.shape(mesh_.points), fine.shape(positions)).has_value();
+        return find_crossing({&fine, 0, 1}, fine.shape(mesh_.points), fine.shape(positions));
     }
 
     /// A share of the largest distance between nodes of the undeformed facet, which does not depend on its orientation.
@@ -343,7 +351,7 @@ private:
     std::map<Facet, std::string> names_;
     DividedFacets facets_;
     DividedShape undeformed_;
-    double tolerance_m_;
+    double tolerance_m_, rounding_m_;
     double allowed_share_;                           ///< of the size of a facet, by which walls may overlap
     std::array<double, 3> sides_{};                  ///< side of each mirror plane on which the body lies, +1 or -1
     std::set<std::array<int, 2>> initial_contacts_;  ///< pairs of facets that touch in the undeformed body

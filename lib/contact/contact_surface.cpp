@@ -165,8 +165,9 @@ NormalCone normals(const Patch& facet) {
     const double length = norm(cone.axis);
     if (length == 0) return {{}, std::numbers::pi};
     for (double& component : cone.axis) component /= length;
-    for (std::size_t a = 0; a < count; ++a)
-        cone.angle = std::max(cone.angle, std::acos(std::clamp(dot(cone.axis, n[a]), -1.0, 1.0)));
+    double cosine = 1;
+    for (std::size_t a = 0; a < count; ++a) cosine = std::min(cosine, dot(cone.axis, n[a]));
+    cone.angle = std::acos(std::max(cosine, -1.0));
     return cone;
 }
 

@@ -44,12 +44,6 @@ void divide_triangle(int parts, Division& division) {
         }
 }
 
-/// Normal out of the cell, with the length of the segment or twice the area of the triangle.
-Vector3 normal(const std::array<Point, 3>& c, std::size_t corners) {
-    const Vector3 first = along(c[1], -1, c[0]);
-    return corners == 2 ? Vector3{first[1], -first[0], 0} : cross(first, along(c[2], -1, c[0]));
-}
-
 }  // namespace
 
 Division divide(mesh::CellType facet, Fineness fineness) {
@@ -97,28 +91,6 @@ DividedShape DividedFacets::shape(std::span<const Point> positions) const {
     }
     for (std::size_t f = 0; f < facets_.size(); ++f) result.boxes.push_back(box_of(points(result, f)));
     return result;
-}
-
-NormalCone DividedFacets::normals(const DividedShape& shape, std::size_t f) const {
-    const Division& how = division(f);
-    const auto at = points(shape, f);
-    NormalCone cone;
-    std::array<Vector3, 2 * max_parts * max_parts> units;
-    std::size_t count = 0;
-    for (const auto& piece : how.pieces) {
-        Vector3 n = normal(piece_corners(at, piece), how.corners);
-        const double length = norm(n);
-        if (!(length > 0)) continue;  // collapsed
-        cone.axis = along(cone.axis, 1, n);
-        units[count++] = {n[0] / length, n[1] / length, n[2] / length};
-    }
-    const double length = norm(cone.axis);
-    if (!(length > 0)) return {{}, std::numbers::pi};
-    for (double& component : cone.axis) component /= length;
-    double cosine = 1;
-    for (std::size_t i = 0; i < count; ++i) cosine = std::min(cosine, dot(units[i], cone.axis));
-    cone.angle = std::acos(std::clamp(cosine, -1.0, 1.0));
-    return cone;
 }
 
 std::array<Point, 3> piece_corners(std::span<const Point> points, const std::array<int, 3>& piece) {

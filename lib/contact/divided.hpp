@@ -59,8 +59,6 @@ public:
     [[nodiscard]] std::span<const mesh::Point> points(const DividedShape& shape, std::size_t f) const {
         return std::span{shape.points}.subspan(facets_[f].first_point, facets_[f].division->xi.size());
     }
-    /// Requires the coarse division.
-    [[nodiscard]] NormalCone normals(const DividedShape& shape, std::size_t f) const;
 
 private:
     struct Entry {

@@ -15,6 +15,9 @@ constexpr double meets_goal = 5e-3;
 /// Bound of the extrapolation of the difference between the meshes.
 constexpr double max_growth = 2;
 
+/// The most parts in which a row is approached from the one before.
+constexpr int max_parts = 16;
+
 }  // namespace
 
 RefinedPath::RefinedPath(fem::System& fine, const mesh::Refined& refined)
@@ -96,9 +99,33 @@ std::optional<State> RefinedPath::equilibrium(const RowState& coarse, RowPositio
         state = carry_over(coarse);
     }
     if (corrector_.correct(nearest_, 0.0, state)) return state;
+    if (auto followed = follow_from_last(coarse)) return followed;
     corrected_m_ = 0;  // retry without the row before
     state = carry_over(coarse);
     if (corrector_.correct(nearest_, 0.0, state)) return state;
+    return std::nullopt;
+}
+
+std::optional<State> RefinedPath::follow_from_last(const RowState& coarse) {
+    if (!last_ || of_last_ == FromTangent::of_another_stage) return std::nullopt;
+    linalg::Vector step = system_.make_vector(), origin = system_.make_vector();  // step: of the coarse path
+    SOFT_PETSC(VecWAXPY(step, 1.0, correction_, origin_));
+    SOFT_PETSC(VecAXPY(step, -1.0, last_->state.x));
+    for (int parts = 2; parts <= max_parts; parts *= 2) {
+        State state = copy_of(last_->state);
+        for (int part = 1; part <= parts; ++part) {
+            const double to_do = 1.0 / (parts - part + 1);  // of the rest
+            SOFT_PETSC(VecAXPY(state.x, 1.0 / parts, step));
+            state.load_factor += to_do * (coarse.step.load_factor - state.load_factor);
+            for (std::size_t i = 0; i < state.pressures_Pa.size(); ++i)
+                state.pressures_Pa[i] += to_do * (coarse.free_pressures_Pa[i] - state.pressures_Pa[i]);
+            SOFT_PETSC(VecWAXPY(origin, static_cast<double>(part) / parts - 1.0, step, origin_));
+            Constraint nearest = nearest_;
+            nearest.arc_origin = origin;
+            if (!corrector_.correct(nearest, 0.0, state)) break;
+            if (part == parts) return state;
+        }
+    }
     return std::nullopt;
 }
 

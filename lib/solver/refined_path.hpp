@@ -5,7 +5,7 @@
 ///     t . (u - u0) = 0
 /// (the arc constraint, t of unit length, zero in the pressure unknowns) and a free load factor: the state of the finer
 /// mesh nearest to that of the coarse one, which exists at limit points and on branches alike. Newton's method starts from u0 plus the
-/// difference that it found in the row before. The last row of a stage
+/// difference that it found in the row before; if it does not converge, it follows the coarse path in parts from that row. The last row of a stage
 /// instead prescribes what ended the stage (its load factor or an `until`). Load levels are relative to the state that the finer
 /// mesh has at the end of the stage before.
 /// Tested by solver/accuracy_test and the verification suite.
@@ -38,6 +38,8 @@ private:
     [[nodiscard]] State carry_over(const RowState& coarse);
     [[nodiscard]] std::optional<State> equilibrium(const RowState& coarse, RowPosition position);
     [[nodiscard]] bool end_stage(State& state);
+    /// The row approached from the one before in parts of the coarse step, where the guess is too far away, as in contact.
+    [[nodiscard]] std::optional<State> follow_from_last(const RowState& coarse);
 
     fem::System& system_;
     const mesh::Refined& refined_;

@@ -19,8 +19,8 @@ namespace {
 using mesh::Facet;
 using mesh::Point;
 
-/// Number of straight pieces along each edge of a curved facet.
-constexpr int pieces_per_edge = 6;
+/// Numbers of straight pieces along each edge of a curved facet, for all facets, and for folds between facets that share a node.
+constexpr int pieces_per_edge = 6, pieces_of_neighbours = 12;
 /// Distance from the symmetry plane beyond which a point counts as off the plane, relative to the extent of the model.
 constexpr double crossing_tolerance = 1e-6;
 
@@ -28,6 +28,7 @@ struct Pieces {
     std::vector<std::vector<Point>> corners;
     std::vector<std::array<long, 3>> ends;  ///< ids of the corners, equal for connected pieces
     std::vector<mesh::Index> cells;
+    std::vector<std::size_t> facets;
     std::vector<double>
         sag_m;  ///< of the curved facet at the middle of the piece: thinner walls between pieces cannot be told from none
 };
@@ -84,14 +85,14 @@ std::vector<std::vector<GridPoint>> grid(mesh::Shape shape, int parts) {
 }
 
 /// Curved facets are subdivided finely enough to detect a crease that closes between nodes.
-Pieces pieces_of(const mesh::Mesh& mesh, const std::vector<Facet>& skin) {
+Pieces pieces_of(const mesh::Mesh& mesh, const std::vector<Facet>& skin, int per_edge) {
     Pieces pieces;
     std::map<std::array<long, 3>, long> numbers;
     for (std::size_t f = 0; f < skin.size(); ++f) {
         const surface::FacetMap map = surface::facet_map(mesh, skin[f], mesh.points);
         const mesh::CellTopology& type = mesh::topology(map.type);
         const bool plane = type.order == 1 && type.shape != mesh::Shape::quadrilateral;
-        const int parts = plane ? 1 : pieces_per_edge;
+        const int parts = plane ? 1 : per_edge;
         const auto nodes = mesh::facet_nodes(mesh, skin[f]);
         const Names name{f, nodes, parts, type.shape};
         const bool simplex = type.shape == mesh::Shape::triangle;
@@ -99,6 +100,7 @@ Pieces pieces_of(const mesh::Mesh& mesh, const std::vector<Facet>& skin) {
             auto& corners = pieces.corners.emplace_back();
             auto& ends = pieces.ends.emplace_back(std::array<long, 3>{-1, -1, -1});
             pieces.cells.push_back(skin[f].cell);
+            pieces.facets.push_back(f);
             const auto at = [&](double i, double j) {
                 const double a = i / parts, b = j / parts;
                 return map(simplex ? surface::FacetPoint{a, b} : surface::FacetPoint{2 * a - 1, 2 * b - 1}).x;
@@ -121,6 +123,12 @@ Pieces pieces_of(const mesh::Mesh& mesh, const std::vector<Facet>& skin) {
 
 bool share_vertex(const std::array<long, 3>& a, const std::array<long, 3>& b) {
     return std::ranges::any_of(a, [&](long name) { return name >= 0 && std::ranges::find(b, name) != b.end(); });
+}
+
+bool share_node(const Facet& a, const Facet& b, const mesh::Mesh& mesh) {
+    const auto nodes = mesh::facet_nodes(mesh, b);
+    return std::ranges::any_of(mesh::facet_nodes(mesh, a),
+                               [&](mesh::Index n) { return std::ranges::find(nodes, n) != nodes.end(); });
 }
 
 /// How far a piece reaches beyond the plane (line) of another that it intersects, on the side where it reaches less far.
@@ -158,24 +166,28 @@ mesh::Mesh ShapeChecks::moved(std::span<const double> u) const {
 
 /// Pairs of intersecting pieces. Sides of the same cell are excluded: rubber lies between them, and if they intersect the cell is inverted.
 ShapeChecks::Pairs ShapeChecks::intersecting_pairs(const mesh::Mesh& mesh, double allowed_m) const {
-    const Pieces pieces = pieces_of(mesh, skin_);
-    std::vector<surface::Box> boxes;
-    for (const auto& corners : pieces.corners) {
-        surface::Box& box = boxes.emplace_back(surface::Box{corners[0], corners[0]});
-        for (const Point& p : corners)
-            for (std::size_t d = 0; d < 3; ++d) {
-                box.low[d] = std::min(box.low[d], p[d]);
-                box.high[d] = std::max(box.high[d], p[d]);
-            }
-    }
     Pairs pairs;
-    for (const auto& pair : surface::overlapping_pairs(boxes)) {
-        const auto i = static_cast<std::size_t>(pair[0]), j = static_cast<std::size_t>(pair[1]);
-        if (pieces.cells[i] == pieces.cells[j] || share_vertex(pieces.ends[i], pieces.ends[j])) continue;
-        const auto &a = pieces.corners[i], &b = pieces.corners[j];
-        if (surface::intersect(a, b) && (allowed_m == 0 || std::min(overlap_m(a, b), overlap_m(b, a)) >
-                                                               allowed_m + pieces.sag_m[i] + pieces.sag_m[j]))
-            pairs.insert(pair);
+    for (const int per_edge : {pieces_per_edge, pieces_of_neighbours}) {
+        const Pieces pieces = pieces_of(mesh, skin_, per_edge);
+        std::vector<surface::Box> boxes;
+        for (const auto& corners : pieces.corners) {
+            surface::Box& box = boxes.emplace_back(surface::Box{corners[0], corners[0]});
+            for (const Point& p : corners)
+                for (std::size_t d = 0; d < 3; ++d) {
+                    box.low[d] = std::min(box.low[d], p[d]);
+                    box.high[d] = std::max(box.high[d], p[d]);
+                }
+        }
+        for (const auto& pair : surface::overlapping_pairs(boxes)) {
+            const auto i = static_cast<std::size_t>(pair[0]), j = static_cast<std::size_t>(pair[1]);
+            if (pieces.cells[i] == pieces.cells[j] || share_vertex(pieces.ends[i], pieces.ends[j])) continue;
+            if (per_edge == pieces_of_neighbours && !share_node(skin_[pieces.facets[i]], skin_[pieces.facets[j]], mesh))
+                continue;
+            const auto &a = pieces.corners[i], &b = pieces.corners[j];
+            if (surface::intersect(a, b) && (allowed_m == 0 || std::min(overlap_m(a, b), overlap_m(b, a)) >
+                                                                   allowed_m + pieces.sag_m[i] + pieces.sag_m[j]))
+                pairs.insert({per_edge, pair[0], pair[1]});
+        }
     }
     return pairs;
 }

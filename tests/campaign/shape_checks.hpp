@@ -35,7 +35,7 @@ public:
     [[nodiscard]] double extent_m() const { return extent_m_; }
 
 private:
-    using Pairs = std::set<std::array<int, 2>>;
+    using Pairs = std::set<std::array<int, 3>>;  // division of the facets, and two pieces
     [[nodiscard]] mesh::Mesh moved(std::span<const double> u) const;
     [[nodiscard]] Pairs intersecting_pairs(const mesh::Mesh& mesh, double allowed_m) const;
     [[nodiscard]] bool crosses_symmetry_plane(const mesh::Mesh& mesh) const;

@@ -216,6 +216,47 @@ TEST(Contact, ACurvedWallTouchesItsMirrorImageBetweenNodes) {
     EXPECT_NEAR(found->location[1], 0.37, 1e-3);
 }
 
+/// Where contact is solved: a wall that is a thousandth of its height beyond the plane is allowed, unless its cell is inverted.
+TEST(Contact, AnInvertedCellBeyondASymmetryPlaneIsReportedWhereContactIsSolved) {
+    model::Case model = test::make_case(test::block(2, test::box({0.3, 1}, {-1, 1}, {0, 0}), {1, 1, 1}, "wall"),
+                                        model::Kinematics::plane_strain);
+    model.symmetry_planes[0] = true;
+    model.path.contact = model::Contact::solve;
+    const ContactFinder finder(model);
+    const auto moved = [](double middle) {
+        return [=](const Point& X) {
+            return Point{X[0] < 0.4 ? 0.1 * X[1] * X[1] - 2e-3 : X[0] < 0.9 ? middle : 1, X[1], 0};
+        };
+    };
+    EXPECT_FALSE(contact(finder, model, moved(0.5)));
+    const auto found = contact(finder, model, moved(-0.1));
+    ASSERT_TRUE(found);
+    EXPECT_TRUE(found->is_inverted);
+}
+
+/// Two neighbouring curved facets fold until they intersect at a sixth of their length from their common node, where contact is solved.
+/// With t from the common node, they are x = 1 +- (t / 5 - 6 t^2 / 5), y = t.
+TEST(Contact, AFoldBetweenNeighboursIsFoundWithinTheFirstPiecesOfTheirSubdivision) {
+    for (const int dimension : {2, 3}) {
+        model::Case model =
+            test::make_case(test::block(dimension, test::box({0, 2}, {-4, 1}, {0, 1}), {2, 1, 1}, "top"),
+                            dimension == 2 ? model::Kinematics::plane_strain : model::Kinematics::solid);
+        model.path.contact = model::Contact::solve;
+        model.contact.distance = 0.005;
+        const auto folded = [](double by) {
+            return [by](const Point& X) {
+                const double t = std::abs(X[0] - 1), bulge = by * t - (1 + by) * t * t;
+                return X[1] < 1 ? X : Point{X[0] < 1 ? 1 + bulge : 1 - bulge, t, X[2]};
+            };
+        };
+        EXPECT_FALSE(contact(model, folded(-0.01))) << dimension;
+        EXPECT_TRUE(contact(model, folded(0.2))) << dimension;
+        if (dimension == 3) continue;
+        model.contact.distance = 0.05;
+        EXPECT_FALSE(contact(model, folded(0.2)));
+    }
+}
+
 TEST(Contact, ARingThatClosesTouchesTheAxis) {
     const model::Case model = test::annulus_section({.centre_r = 3, .inner_radius = 0.5, .outer_radius = 1}, 24);
     const ContactFinder finder(model);
