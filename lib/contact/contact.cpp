@@ -126,13 +126,8 @@ public:
             const FacetPair pair{&facets_, static_cast<std::size_t>(i), static_cast<std::size_t>(j)};
             if (pair.are_neighbours() && is_visible_from_one_side(cones[pair.first], cones[pair.second])) continue;
             if (is_initial_contact(i, j) || has_rubber_between(pair)) continue;
-            // A fold between neighbours is seen in the fine subdivision only: of the coarse one, it closes pieces that share a point.
-            if (!pair.are_neighbours() && !find_crossing(pair, undeformed_, now)) continue;
-            const auto xi = find_fine_crossing(pair, positions);
-            if (!xi) continue;
-            const Kind kind = kind_of(pair, positions);
-            if (kind == Kind::wall || is_deep(pair, positions))
-                keep({kind, undeformed_location(pair.first, *xi), {pair.first, pair.second}});
+            if (const auto xi = crossing(pair, positions, now))
+                keep({kind_of(pair, positions), undeformed_location(pair.first, *xi), {pair.first, pair.second}});
         }
         for (const Hinge& hinge : hinges_)
             if (is_closed(hinge, cones, positions)) keep(found_at(hinge));
@@ -183,7 +178,8 @@ private:
     [[nodiscard]] std::vector<NormalCone> normal_cones(std::span<const Point> positions) const {
         std::vector<NormalCone> cones;
         for (std::size_t f = 0; f < facets_.size(); ++f)
-            cones.push_back(normals(make_patch(surface::facet_map(mesh_, facets_.facet(f), positions))));
+            cones.push_back(
+                normals(make_patch(surface::facet_map(mesh_, facets_.facet(f), positions)), facets_.division(f).xi));
         return cones;
     }
 
@@ -196,12 +192,23 @@ private:
         return share_a_side(cell_corners(mesh_, a), cell_corners(mesh_, b), mesh_.dimension);
     }
 
-    /// Where the facets intersect in the fine subdivision, which separates the two sides of a thin wall.
-    [[nodiscard]] std::optional<surface::FacetPoint> find_fine_crossing(const FacetPair& pair,
-                                                                        const std::vector<Point>& positions) const {
+    /// Where the facets intersect deeper than contact that is solved allows. The fine subdivision separates the two sides of a thin wall.
+    /// A fold near the common edge of neighbours is seen in smaller pieces only: of the coarse ones, it closes those that share a point.
+    [[nodiscard]] std::optional<surface::FacetPoint> crossing(const FacetPair& pair,
+                                                              const std::vector<Point>& positions,
+                                                              const DividedShape& now) const {
         const std::array<Facet, 2> both{facets_.facet(pair.first), facets_.facet(pair.second)};
-        const DividedFacets fine{mesh_, both, Fineness::fine};
-        return find_crossing({&fine, 0, 1}, fine.shape(mesh_.points), fine.shape(positions));
+        const auto find_in = [&](Fineness fineness, double least_overlap_m) {
+            const DividedFacets divided{mesh_, both, fineness};
+            return find_crossing({&divided, 0, 1}, divided.shape(mesh_.points), divided.shape(positions),
+                                 least_overlap_m);
+        };
+        if (find_crossing(pair, undeformed_, now))
+            if (const auto xi = find_in(Fineness::fine, 0);
+                xi && (kind_of(pair, positions) == Kind::wall || is_deep(pair, positions)))
+                return xi;
+        if (!pair.are_neighbours()) return std::nullopt;
+        return find_in(Fineness::medium, std::max(allowed_depth_m(pair.first), allowed_depth_m(pair.second)));
     }
 
     /// A share of the largest distance between nodes of the undeformed facet, which does not depend on its orientation.

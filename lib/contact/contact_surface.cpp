@@ -153,12 +153,18 @@ bool is_facing(const Patch& patch, const ContactSurface::Entry& entry, std::size
 }
 
 NormalCone normals(const Patch& facet) {
+    std::array<surface::FacetPoint, 9> nodes{};
     const auto& topology = mesh::topology(facet.type);
-    std::array<Vector3, 9> n{};
-    NormalCone cone;
     const auto count = static_cast<std::size_t>(topology.node_count);
-    for (std::size_t a = 0; a < count; ++a) {
-        n[a] = normal_at(facet, {topology.nodes[a][0], topology.nodes[a][1]});
+    for (std::size_t a = 0; a < count; ++a) nodes[a] = {topology.nodes[a][0], topology.nodes[a][1]};
+    return normals(facet, std::span{nodes}.first(count));
+}
+
+NormalCone normals(const Patch& facet, std::span<const surface::FacetPoint> at) {
+    std::array<Vector3, max_normals> n{};
+    NormalCone cone;
+    for (std::size_t a = 0; a < at.size(); ++a) {
+        n[a] = normal_at(facet, at[a]);
         const double length = norm(n[a]);
         for (std::size_t d = 0; d < 3 && length > 0; ++d) cone.axis[d] += (n[a][d] /= length);
     }
@@ -166,7 +172,7 @@ NormalCone normals(const Patch& facet) {
     if (length == 0) return {{}, std::numbers::pi};
     for (double& component : cone.axis) component /= length;
     double cosine = 1;
-    for (std::size_t a = 0; a < count; ++a) cosine = std::min(cosine, dot(cone.axis, n[a]));
+    for (std::size_t a = 0; a < at.size(); ++a) cosine = std::min(cosine, dot(cone.axis, n[a]));
     cone.angle = std::acos(std::max(cosine, -1.0));
     return cone;
 }

@@ -107,5 +107,8 @@ private:
 
 /// Cone of the normals at the nodes.
 [[nodiscard]] NormalCone normals(const Patch& facet);
+/// Of the normals at these points, at most `max_normals`.
+inline constexpr std::size_t max_normals = 25;
+[[nodiscard]] NormalCone normals(const Patch& facet, std::span<const surface::FacetPoint> at);
 
 }  // namespace soft::contact

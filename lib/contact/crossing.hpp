@@ -19,9 +19,10 @@ struct FacetPair {
 inline constexpr double coincidence_tolerance = 1e-6;
 
 /// Mean of the points where pieces of the two facets intersect in `now`, in reference coordinates of the first facet. Pieces of
-/// neighbours that share a point in the `undeformed` shape are ignored.
+/// neighbours that share a point in the `undeformed` shape are ignored, as are those of which one reaches less than `least_overlap_m`
+/// beyond the plane of the other.
 [[nodiscard]] std::optional<surface::FacetPoint> find_crossing(const FacetPair& pair, const DividedShape& undeformed,
-                                                               const DividedShape& now);
+                                                               const DividedShape& now, double least_overlap_m = 0);
 
 /// Whether the distance of two pieces without a common point is within `coincidence_tolerance`.
 [[nodiscard]] bool is_touching(const FacetPair& pair, const DividedShape& undeformed);

@@ -11,7 +11,7 @@ namespace {
 
 using mesh::Point;
 
-constexpr int max_parts = 4;
+constexpr int coarse_parts = 4, medium_parts = 6;
 constexpr int fine_parts_of_a_line = 64, fine_parts_of_a_side = 16;
 
 void divide_line(int parts, Division& division) {
@@ -50,7 +50,10 @@ Division divide(mesh::CellType facet, Fineness fineness) {
     const mesh::CellTopology& cell = mesh::topology(facet);
     const bool straight = cell.order == 1 && cell.shape != mesh::Shape::quadrilateral;
     const int fine = cell.dimension == 1 ? fine_parts_of_a_line : fine_parts_of_a_side;
-    const int parts = straight ? 1 : fineness == Fineness::fine ? fine : max_parts;
+    const int parts = straight                       ? 1
+                      : fineness == Fineness::coarse ? coarse_parts
+                      : fineness == Fineness::medium ? medium_parts
+                                                     : fine;
     Division division;
     division.corners = cell.dimension == 1 ? 2 : 3;
     if (cell.shape == mesh::Shape::line) divide_line(parts, division);

@@ -2,7 +2,8 @@
 /// Subdivision of curved facets into flat pieces, in any configuration, for intersection tests. A second-order edge is divided into
 /// 4 segments, a quadrilateral into 4 x 4 quadrilaterals of two triangles, a triangle into 4 x 4 triangles; the deviation of the
 /// chords from the curved facet is 1/16 of its sagitta. If that exceeds the thickness of a wall (stretched tenfold or more), the fine
-/// division decides whether the two sides intersect: 64 segments or 16 x 16 pieces, with 1/4096 or 1/256 of the sagitta.
+/// division decides whether the two sides intersect: 64 segments or 16 x 16 pieces, with 1/4096 or 1/256 of the sagitta. The medium one
+/// has 6 segments or 6 x 6 pieces.
 /// Neighbours are conforming: both use the same points of their common reference edge.
 /// Tested by contact/contact_test.
 #include <map>
@@ -23,7 +24,7 @@ struct Division {
     std::size_t corners;                     ///< per piece: 2 or 3
 };
 
-enum class Fineness { coarse, fine };
+enum class Fineness { coarse, medium, fine };
 [[nodiscard]] Division divide(mesh::CellType facet, Fineness fineness = Fineness::coarse);
 
 /// Cone that contains the normals of a facet: directions within `angle` [rad] of the axis. Angle pi if it contains all directions.

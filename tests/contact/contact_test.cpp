@@ -234,8 +234,8 @@ TEST(Contact, AnInvertedCellBeyondASymmetryPlaneIsReportedWhereContactIsSolved) 
     EXPECT_TRUE(found->is_inverted);
 }
 
-/// Two neighbouring curved facets fold until they intersect at a sixth of their length from their common node, where contact is solved.
-/// With t from the common node, they are x = 1 +- (t / 5 - 6 t^2 / 5), y = t.
+/// Two neighbouring curved facets fold until they intersect at a fifth of their length from their common node, where contact is solved.
+/// With t from the common node, they are x = 1 +- (t / 4 - 5 t^2 / 4), y = t.
 TEST(Contact, AFoldBetweenNeighboursIsFoundWithinTheFirstPiecesOfTheirSubdivision) {
     for (const int dimension : {2, 3}) {
         model::Case model =
@@ -250,10 +250,10 @@ TEST(Contact, AFoldBetweenNeighboursIsFoundWithinTheFirstPiecesOfTheirSubdivisio
             };
         };
         EXPECT_FALSE(contact(model, folded(-0.01))) << dimension;
-        EXPECT_TRUE(contact(model, folded(0.2))) << dimension;
+        EXPECT_TRUE(contact(model, folded(0.25))) << dimension;
         if (dimension == 3) continue;
         model.contact.distance = 0.05;
-        EXPECT_FALSE(contact(model, folded(0.2)));
+        EXPECT_FALSE(contact(model, folded(0.25)));
     }
 }
 
