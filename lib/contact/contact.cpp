@@ -133,8 +133,8 @@ public:
             if (is_closed(hinge, cones, positions)) keep(found_at(hinge));
         for (std::size_t f = 0; f < facets_.size(); ++f)
             for (std::size_t d = 0; d < 3; ++d)
-                if (mirrors_[d] && !initially_beyond_[d].contains(f))
-                    if (const Depth at = depth(f, d, positions); at.depth_m > rounding_m_) {
+                if (mirrors_[d] && initial_depths_m_[d][f] <= tolerance_m_)
+                    if (const Depth at = depth(f, d, positions); at.depth_m > rounding_m_ + initial_depths_m_[d][f]) {
                         if (at.depth_m > std::max(tolerance_m_, allowed_depth_m(f)) &&
                             faces_plane(f, d, at.xi, positions))
                             keep({kind_of(d), undeformed_location(f, at.xi), {f, f}});
@@ -170,9 +170,9 @@ private:
         std::erase_if(hinges_, [&](const Hinge& hinge) {
             return filled_angle(mesh_, hinge, mesh_.points) > 2 * std::numbers::pi - closed_slit;
         });
-        for (std::size_t f = 0; f < facets_.size(); ++f)
-            for (std::size_t d = 0; d < 3; ++d)
-                if (mirrors_[d] && depth(f, d, mesh_.points).depth_m > tolerance_m_) initially_beyond_[d].insert(f);
+        for (std::size_t d = 0; d < 3; ++d)
+            for (std::size_t f = 0; mirrors_[d] && f < facets_.size(); ++f)
+                initial_depths_m_[d].push_back(depth(f, d, mesh_.points).depth_m);
     }
 
     [[nodiscard]] std::vector<NormalCone> normal_cones(std::span<const Point> positions) const {
@@ -208,7 +208,8 @@ private:
                 xi && (kind_of(pair, positions) == Kind::wall || is_deep(pair, positions)))
                 return xi;
         if (!pair.are_neighbours()) return std::nullopt;
-        return find_in(Fineness::medium, std::max(allowed_depth_m(pair.first), allowed_depth_m(pair.second)));
+        const double allowed_m = std::max(allowed_depth_m(pair.first), allowed_depth_m(pair.second));
+        return find_in(Fineness::medium, allowed_m) ? find_in(Fineness::fine, 0) : std::nullopt;
     }
 
     /// A share of the largest distance between nodes of the undeformed facet, which does not depend on its orientation.
@@ -362,8 +363,9 @@ private:
     double allowed_share_;                           ///< of the size of a facet, by which walls may overlap
     std::array<double, 3> sides_{};                  ///< side of each mirror plane on which the body lies, +1 or -1
     std::set<std::array<int, 2>> initial_contacts_;  ///< pairs of facets that touch in the undeformed body
-    std::array<std::set<std::size_t>, 3> initially_beyond_;  ///< facets beyond each mirror plane in the undeformed body
-    std::vector<Hinge> hinges_;                              ///< none where contact is solved
+    std::array<std::vector<double>, 3>
+        initial_depths_m_;       ///< of each facet beyond each mirror plane in the undeformed body
+    std::vector<Hinge> hinges_;  ///< none where contact is solved
     struct Obstacle {
         std::string name;
         SignedDistance distance;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
 #include "mesh/shape.hpp"
 #include "surface/free_facets.hpp"
@@ -161,6 +162,7 @@ NormalCone normals(const Patch& facet) {
 }
 
 NormalCone normals(const Patch& facet, std::span<const surface::FacetPoint> at) {
+    if (at.size() > max_normals) throw std::logic_error("normals: too many points");
     std::array<Vector3, max_normals> n{};
     NormalCone cone;
     for (std::size_t a = 0; a < at.size(); ++a) {

@@ -20,6 +20,9 @@ using Rows = std::vector<RowState>;
 /// Below this fraction of the largest load, errors are relative to this fraction and not to the load itself.
 constexpr double small_load = 0.1;
 
+/// The first measure stands still where it changes by less than this fraction of its range while the load changes by its whole range.
+constexpr double standstill = 0.05;
+
 /// Fraction of the cells from which on a mesh counts as one with a single cell through its walls.
 constexpr double single_cells = 0.1;
 
@@ -131,21 +134,45 @@ std::vector<ErrorBar> set_bars(Rows& reported, const NeighbourLevels& around) {
     return first;
 }
 
-/// Of the load, relative to it; on a path in time, where the load may be prescribed, the largest of it and of all outputs.
+/// Largest minus smallest value of a quantity over the rows.
+template <class Value>
+double range_of(const Rows& rows, Value&& value_of) {
+    double least = value_of(rows.front().step), largest = least;
+    for (const RowState& row : rows) {
+        least = std::min(least, value_of(row.step));
+        largest = std::max(largest, value_of(row.step));
+    }
+    return largest - least;
+}
+
+/// Of the load, relative to it. Where the first measure hardly changes with the load, as where a wall stops the actuator, and on a path in
+/// time, where the load may be prescribed: of all outputs.
 double max_relative_bar(const Rows& rows) {
+    const bool in_time = rows.front().step.time_s.has_value();
+    const std::size_t outputs = rows.front().step.outputs.size();
+    const Measure measure{outputs > 0 ? 0 : Measure::volume};
+    const double load_range = range_of(rows, [](const model::Step& step) { return step.pressure_Pa; });
+    const double range = range_of(rows, [&](const model::Step& step) { return measure.point(step).measure; });
+    const auto stands_still = [&](const model::Step& step) {
+        const CurvePoint tangent = measure.tangent(step);
+        return std::abs(tangent.measure) * load_range < standstill * std::abs(tangent.load) * range;
+    };
     double worst = 0;
-    const auto consider = [&](auto&& value_of, auto&& bar_of) {
+    const auto consider = [&](auto&& value_of, auto&& bar_of, auto&& counts) {
         double largest = 0;
         for (const RowState& row : rows) largest = std::max(largest, std::abs(value_of(row.step)));
-        if (!(largest > 0.0)) return;
         for (const RowState& row : rows)
-            worst = std::max(worst, bar_of(row.step) / std::max(std::abs(value_of(row.step)), small_load * largest));
+            if (largest > 0.0 && counts(row.step))
+                worst =
+                    std::max(worst, bar_of(row.step) / std::max(std::abs(value_of(row.step)), small_load * largest));
     };
     consider([](const model::Step& step) { return step.pressure_Pa; },
-             [](const model::Step& step) { return step.pressure_error_Pa.value_or(0.0); });
-    for (std::size_t k = 0; rows.front().step.time_s && k < rows.front().step.outputs.size(); ++k)
+             [](const model::Step& step) { return step.pressure_error_Pa.value_or(0.0); },
+             [&](const model::Step& step) { return in_time || !stands_still(step); });
+    for (std::size_t k = 0; k < outputs; ++k)
         consider([k](const model::Step& step) { return step.outputs[k]; },
-                 [k](const model::Step& step) { return step.output_errors[k]; });
+                 [k](const model::Step& step) { return step.output_errors[k]; },
+                 [&](const model::Step& step) { return in_time || stands_still(step); });
     return worst;
 }
 

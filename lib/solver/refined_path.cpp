@@ -99,11 +99,22 @@ std::optional<State> RefinedPath::equilibrium(const RowState& coarse, RowPositio
         state = carry_over(coarse);
     }
     if (corrector_.correct(nearest_, 0.0, state)) return state;
-    if (auto followed = follow_from_last(coarse)) return followed;
     corrected_m_ = 0;  // retry without the row before
     state = carry_over(coarse);
     if (corrector_.correct(nearest_, 0.0, state)) return state;
-    return std::nullopt;
+    auto followed = follow_from_last(coarse);
+    if (followed && position == RowPosition::ends_stage && !end_stage(*followed)) followed = follow_from_last(coarse);
+    return followed ? std::move(followed) : at_equal_load(coarse);
+}
+
+std::optional<State> RefinedPath::at_equal_load(const RowState& coarse) {
+    State state = carry_over(coarse);
+    nearest_ = {ConstraintKind::load_factor};
+    if (!corrector_.correct(nearest_, coarse.step.load_factor, state)) return std::nullopt;
+    linalg::Vector difference = copy_of(state.x);
+    SOFT_PETSC(VecAXPY(difference, -1.0, origin_));
+    if (linalg::norm(difference) > 2.0 * linalg::norm(origin_)) return std::nullopt;  // another branch
+    return state;
 }
 
 std::optional<State> RefinedPath::follow_from_last(const RowState& coarse) {

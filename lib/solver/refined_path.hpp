@@ -5,8 +5,8 @@
 ///     t . (u - u0) = 0
 /// (the arc constraint, t of unit length, zero in the pressure unknowns) and a free load factor: the state of the finer
 /// mesh nearest to that of the coarse one, which exists at limit points and on branches alike. Newton's method starts from u0 plus the
-/// difference that it found in the row before; if it does not converge, it follows the coarse path in parts from that row. The last row of a stage
-/// instead prescribes what ended the stage (its load factor or an `until`). Load levels are relative to the state that the finer
+/// difference that it found in the row before; else from u0; else it follows the chord of the coarse path in parts from that row; else the
+/// load is that of the coarse row. The last row of a stage instead prescribes what ended the stage (its load factor or an `until`). Load levels are relative to the state that the finer
 /// mesh has at the end of the stage before.
 /// Tested by solver/accuracy_test and the verification suite.
 #include <optional>
@@ -40,6 +40,9 @@ private:
     [[nodiscard]] bool end_stage(State& state);
     /// The row approached from the one before in parts of the coarse step, where the guess is too far away, as in contact.
     [[nodiscard]] std::optional<State> follow_from_last(const RowState& coarse);
+    /// The state at the load of the coarse row: where an obstacle just touches the coarse mesh, the finer one is still at rest, and the load
+    /// does not move it.
+    [[nodiscard]] std::optional<State> at_equal_load(const RowState& coarse);
 
     fem::System& system_;
     const mesh::Refined& refined_;

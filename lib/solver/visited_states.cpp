@@ -17,6 +17,8 @@ constexpr std::size_t forward_rows = 2, backward_rows = 3;
 /// Largest distance of a path that retraces itself from its earlier states, relative to the length retraced and to the whole path,
 /// and the shortest length retraced, relative to the whole path.
 constexpr double beside_the_run = 0.05, beside_the_path = 2e-3, shortest_run = 0.02;
+/// The same relative to the earlier step: a path nearby that departs from it is another one.
+constexpr double beside_the_step = 0.15;
 /// Relative to the whole path: a path that has turned twice, as where one cell after another snaps through, continues along its
 /// first part.
 constexpr double alongside = 0.02;
@@ -148,7 +150,7 @@ std::optional<Return> backward_return(const Path& path, std::size_t last) {
     }
     const double run = position - end->position;
     if (last + 1 - first < backward_rows || run < shortest_run * path.length() ||
-        end->distance > std::min(beside_the_run * run, beside_the_path * path.length()))
+        end->distance > std::min({beside_the_run * run, beside_the_path * path.length(), beside_the_step * end->chord}))
         return std::nullopt;
     const auto along = path.match(last, 1.0, end->segment);  // before the part that it passes in the opposite direction
     if (along && along->distance < alongside * path.length()) return std::nullopt;

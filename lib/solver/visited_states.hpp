@@ -35,9 +35,9 @@ struct Return {
 };
 
 /// nullopt where the last state lies on no earlier part of the path. forward: the last two states do, to the accuracy of the cubic.
-/// backward: the last three or more do, over at least a fiftieth of the path's length, within 0.2 % of that length and a
-/// twentieth of the length retraced: a state that differs from the earlier one in one cell only counts as the same. Not reported
-/// where they also lie beside a part that the path has passed in their own direction.
+/// backward: the last three or more do, over at least a fiftieth of the path's length, within 0.2 % of that length; the last one also
+/// within a twentieth of the length retraced and 15 % of the earlier step. A state that differs from the earlier one in one cell only
+/// counts as the same. Not reported where they also lie beside a part that the path has passed in their own direction.
 [[nodiscard]] std::optional<Return> find_return(std::span<const VisitedState> states);
 
 }  // namespace soft::solver

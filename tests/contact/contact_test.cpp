@@ -225,7 +225,10 @@ TEST(Contact, AnInvertedCellBeyondASymmetryPlaneIsReportedWhereContactIsSolved) 
     const ContactFinder finder(model);
     const auto moved = [](double middle) {
         return [=](const Point& X) {
-            return Point{X[0] < 0.4 ? 0.1 * X[1] * X[1] - 2e-3 : X[0] < 0.9 ? middle : 1, X[1], 0};
+            return Point{X[0] < 0.4                           ? 0.1 * X[1] * X[1] - 2e-3
+                         : X[0] < 0.9 && std::abs(X[1]) < 0.5 ? middle
+                                                              : X[0],
+                         X[1], 0};
         };
     };
     EXPECT_FALSE(contact(finder, model, moved(0.5)));

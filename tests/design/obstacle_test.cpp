@@ -30,6 +30,15 @@ TEST(Obstacle, IsAbsentByDefaultAndContactIsSolved) {
     EXPECT_TRUE(contains(refusal(base + "path: {contact: sovle}\n"), "did you mean 'solve'"));
 }
 
+TEST(Obstacle, DoesNotMoveInAMotion) {
+    const std::string design =
+        "family: pipe\nmaterial: {law: neo-hookean, mu: 0.1644 MPa, density: 1000 kg/m^3}\n" + table;
+    const std::string line =
+        refusal(design + "loads: {cavity: {pressure: 1 kPa}, table: {displacement: 1 mm, along: z}}\n" +
+                "dynamics: {duration: 10 ms}\n");
+    EXPECT_TRUE(contains(line, "loads.table.displacement: an obstacle does not move in a dynamic analysis")) << line;
+}
+
 TEST(Obstacle, HasAShapeAndTheOrderOfTheDesign) {
     const Design design = read(base +
                                "contact: {self: false, friction: 0.2}\nobstacles:\n"
