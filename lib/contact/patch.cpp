@@ -47,6 +47,9 @@ const Table& table_of(mesh::CellType type) {
     return tables.at(type);
 }
 
+/// Between the coefficients of a facet: those of a line contain eta^0 only.
+std::size_t stride_of(const Patch& patch) { return patch.is_line() ? 3 : 1; }
+
 /// Each monomial s^i t^j of a quadrilateral or line lies in [0, 1] for even i and j, else in [-1, 1]; of a triangle always in [0, 1].
 void find_boxes(Patch& patch) {
     const bool triangle = mesh::topology(patch.type).shape == mesh::Shape::triangle;
@@ -57,7 +60,8 @@ void find_boxes(Patch& patch) {
     patch.axes[1] = cross(patch.axes[2], patch.axes[0]);
     patch.low = patch.high = patch.c[0];
     for (std::size_t d = 0; d < 3; ++d) patch.oriented_low[d] = patch.oriented_high[d] = dot(patch.axes[d], patch.c[0]);
-    for (std::size_t k = 1; k < 9; ++k) {
+    const std::size_t stride = stride_of(patch);
+    for (std::size_t k = stride; k < 9; k += stride) {
         const bool even = triangle || (k / 3 % 2 == 0 && k % 3 % 2 == 0);
         const auto add = [even](double c, double& low, double& high) {
             low += even ? std::fmin(c, 0) : -std::abs(c);
@@ -97,8 +101,7 @@ Patch make_patch(const surface::FacetMap& facet) {
     Patch patch{facet.type, facet.nodes};
     const auto nodes = static_cast<std::size_t>(mesh::node_count(facet.type));
     const Table& table = table_of(facet.type);
-    const std::size_t stride = patch.is_line() ? 3 : 1;
-    for (std::size_t k = 0; k < 9; k += stride)
+    for (std::size_t k = 0, stride = stride_of(patch); k < 9; k += stride)
         for (std::size_t a = 0; a < nodes; ++a)
             if (table[k][a] != 0) patch.c[k] = along(patch.c[k], table[k][a], facet.nodes[a]);
     for (std::size_t a = 0; a < nodes; ++a)
