@@ -150,10 +150,11 @@ double range_of(const Rows& rows, Value&& value_of) {
 double max_relative_bar(const Rows& rows) {
     const bool in_time = rows.front().step.time_s.has_value();
     const std::size_t outputs = rows.front().step.outputs.size();
-    const Measure measure{outputs > 0 ? 0 : Measure::volume};
+    const Measure measure{outputs > 0 ? 0 : Measure::volume};  // of the load's bars
     const double load_range = range_of(rows, [](const model::Step& step) { return step.pressure_Pa; });
     const double range = range_of(rows, [&](const model::Step& step) { return measure.point(step).measure; });
     const auto stands_still = [&](const model::Step& step) {
+        if (outputs == 0) return false;  // nothing else could be bounded
         const CurvePoint tangent = measure.tangent(step);
         return std::abs(tangent.measure) * load_range < standstill * std::abs(tangent.load) * range;
     };

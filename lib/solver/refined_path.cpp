@@ -103,7 +103,8 @@ std::optional<State> RefinedPath::equilibrium(const RowState& coarse, RowPositio
     state = carry_over(coarse);
     if (corrector_.correct(nearest_, 0.0, state)) return state;
     auto followed = follow_from_last(coarse);
-    if (followed && position == RowPosition::ends_stage && !end_stage(*followed)) followed = follow_from_last(coarse);
+    if (followed && position == RowPosition::ends_stage)
+        if (State goal = copy_of(*followed); end_stage(goal)) return goal;
     return followed ? std::move(followed) : at_equal_load(coarse);
 }
 
