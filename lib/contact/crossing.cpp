@@ -129,19 +129,6 @@ void for_each_near(const FacetPair& pair, const DividedShape& undeformed, const 
     }
 }
 
-/// How far a piece reaches beyond the plane (line) of another, on the side where it reaches less far.
-double reach_m(surface::Corners piece, surface::Corners other) {
-    const Vector3 first = difference(other[1], other[0]);
-    const Vector3 normal = cross(first, other.size() > 2 ? difference(other[2], other[0]) : Vector3{0, 0, 1});
-    double low = 0, high = 0;
-    for (const Point& p : piece) {
-        const double height = dot(difference(p, other[0]), normal) / norm(normal);
-        low = std::min(low, height);
-        high = std::max(high, height);
-    }
-    return std::min(-low, high);
-}
-
 }  // namespace
 
 bool FacetPair::are_neighbours() const {
@@ -158,7 +145,7 @@ std::optional<surface::FacetPoint> find_crossing(const FacetPair& pair, const Di
     for_each_near(pair, undeformed, now, 0,
                   [&](std::size_t piece, surface::Corners a, surface::Corners b, const Triangle& s, const Triangle& t) {
                       if (!surface::intersect(a, b)) return true;
-                      if (std::min(reach_m(a, b), reach_m(b, a)) < least_overlap_m) return true;
+                      if (std::min(surface::reach_m(a, b), surface::reach_m(b, a)) < least_overlap_m) return true;
                       const Weights weights = a.size() == 2 ? on_segment(s, t) : on_triangle(s, t);
                       for (std::size_t i = 0; i < a.size(); ++i)
                           for (std::size_t d = 0; d < 2; ++d)

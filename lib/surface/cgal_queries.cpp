@@ -198,6 +198,18 @@ std::vector<std::array<int, 2>> overlapping_pairs(std::span<const Box> boxes) {
     return pairs;
 }
 
+double reach_m(Corners piece, Corners other) {
+    const Vector3 first = difference(other[1], other[0]);
+    const Vector3 normal = cross(first, other.size() > 2 ? difference(other[2], other[0]) : Vector3{0, 0, 1});
+    double low = 0, high = 0;
+    for (const mesh::Point& p : piece) {
+        const double height = dot(difference(p, other[0]), normal) / norm(normal);
+        low = std::min(low, height);
+        high = std::max(high, height);
+    }
+    return std::min(-low, high);
+}
+
 bool intersect(Corners a, Corners b) {
     if (a.size() == 2) {
         const auto s = cgal_segment(a), t = cgal_segment(b);

@@ -56,6 +56,9 @@ using Corners = std::span<const mesh::Point>;
 /// Whether two pieces of the same kind share a point; exact. A degenerate piece intersects nothing.
 [[nodiscard]] bool intersect(Corners a, Corners b);
 
+/// How far a piece reaches beyond the plane (line) of another that is not degenerate, on the side where it reaches less far.
+[[nodiscard]] double reach_m(Corners piece, Corners other);
+
 /// Whether the distance of two pieces is at most `distance_m`, to rounding.
 [[nodiscard]] bool is_within(Corners a, Corners b, double distance_m);
 

@@ -131,19 +131,6 @@ bool share_node(const Facet& a, const Facet& b, const mesh::Mesh& mesh) {
                                [&](mesh::Index n) { return std::ranges::find(nodes, n) != nodes.end(); });
 }
 
-/// How far a piece reaches beyond the plane (line) of another that it intersects, on the side where it reaches less far.
-double overlap_m(const std::vector<Point>& piece, const std::vector<Point>& other) {
-    const Vector3 along_one = difference(other[1], other[0]);
-    const Vector3 normal = cross(along_one, other.size() > 2 ? difference(other[2], other[0]) : Vector3{0, 0, 1});
-    double low = 0, high = 0;
-    for (const Point& p : piece) {
-        const double height = dot(difference(p, other[0]), normal) / norm(normal);
-        low = std::min(low, height);
-        high = std::max(high, height);
-    }
-    return std::min(-low, high);
-}
-
 double determinant(const std::array<Point, 3>& g, int dimension) {
     if (dimension == 2) return g[0][0] * g[1][1] - g[0][1] * g[1][0];
     return g[0][0] * (g[1][1] * g[2][2] - g[1][2] * g[2][1]) - g[0][1] * (g[1][0] * g[2][2] - g[1][2] * g[2][0]) +
@@ -184,8 +171,9 @@ ShapeChecks::Pairs ShapeChecks::intersecting_pairs(const mesh::Mesh& mesh, doubl
             if (per_edge == pieces_of_neighbours && !share_node(skin_[pieces.facets[i]], skin_[pieces.facets[j]], mesh))
                 continue;
             const auto &a = pieces.corners[i], &b = pieces.corners[j];
-            if (surface::intersect(a, b) && (allowed_m == 0 || std::min(overlap_m(a, b), overlap_m(b, a)) >
-                                                                   allowed_m + pieces.sag_m[i] + pieces.sag_m[j]))
+            if (surface::intersect(a, b) &&
+                (allowed_m == 0 || std::min(surface::reach_m(a, b), surface::reach_m(b, a)) >
+                                       allowed_m + pieces.sag_m[i] + pieces.sag_m[j]))
                 pairs.insert({per_edge, pair[0], pair[1]});
         }
     }
