@@ -207,9 +207,9 @@ std::optional<bool> LinearSolver::determinant_is_negative() {
     return mantissa < 0.0;
 }
 
-LinearSolve LinearSolver::solve(Vec b, Vec x, Factor factor, double tolerance) {
-    LinearSolve result = solve_once(b, x, tolerance);
-    if (settings_.method != LinearMethod::automatic || factor == Factor::stale) return result;
+LinearSolve LinearSolver::solve(Vec b, Vec x, const SolveSettings& how) {
+    LinearSolve result = solve_once(b, x, how);
+    if (settings_.method != LinearMethod::automatic || how.factor == Factor::stale) return result;
     const auto is_poor = [&] {
         return choice_ == Choice::multifrontal
                    ? result.iterations > max_iterations_without_pivoting || !result.converged
@@ -217,7 +217,7 @@ LinearSolve LinearSolver::solve(Vec b, Vec x, Factor factor, double tolerance) {
     };
     while (is_poor() && use_next_factorization()) {
         if (!factorize().succeeded) return {};
-        result = solve_once(b, x, tolerance);
+        result = solve_once(b, x, how);
     }
     return result;
 }
@@ -241,20 +241,15 @@ LinearSolve LinearSolver::solve_transposed(Vec b, Vec x) {
     return result;
 }
 
-LinearSolve LinearSolver::improve(Vec b, Vec x) {
-    SOFT_PETSC(KSPSetInitialGuessNonzero(ksp_, PETSC_TRUE));
-    const LinearSolve result = solve_once(b, x);
-    SOFT_PETSC(KSPSetInitialGuessNonzero(ksp_, PETSC_FALSE));
-    return result;
-}
-
-LinearSolve LinearSolver::solve_once(Vec b, Vec x, double tolerance) {
+LinearSolve LinearSolver::solve_once(Vec b, Vec x, const SolveSettings& how) {
     PetscReal usual = 0;
-    SOFT_PETSC(KSPGetTolerances(ksp_, &usual, nullptr, nullptr, nullptr));
-    SOFT_PETSC(
-        KSPSetTolerances(ksp_, std::max<PetscReal>(tolerance, usual), PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+    PetscInt limit = 0;
+    SOFT_PETSC(KSPGetTolerances(ksp_, &usual, nullptr, nullptr, &limit));
+    SOFT_PETSC(KSPSetTolerances(ksp_, std::max<PetscReal>(how.tolerance, usual), PETSC_DEFAULT, PETSC_DEFAULT,
+                                how.max_iterations > 0 ? how.max_iterations : limit));
+    SOFT_PETSC(KSPSetInitialGuessNonzero(ksp_, how.starts_from_x ? PETSC_TRUE : PETSC_FALSE));
     const PetscErrorCode code = KSPSolve(ksp_, b, x);
-    SOFT_PETSC(KSPSetTolerances(ksp_, usual, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+    SOFT_PETSC(KSPSetTolerances(ksp_, usual, PETSC_DEFAULT, PETSC_DEFAULT, limit));
     if (is_numerical_failure(code, "KSPSolve")) return {};
     KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
     PetscInt iterations = 0;

@@ -38,6 +38,13 @@ struct LinearSolve {
 /// fresh: the last factor belongs to the current K; stale: to an earlier K.
 enum class Factor { fresh, stale };
 
+struct SolveSettings {
+    Factor factor = Factor::fresh;
+    double tolerance = 0;    ///< of the residual over the norm of the right-hand side; that of the settings at least
+    int max_iterations = 0;  ///< 0: that of the settings
+    bool starts_from_x = false;  ///< x is the last iterate, or the solution with a nearby K
+};
+
 class LinearSolver {
 public:
     /// PETSc options (-ksp_*, -pc_*, -mat_mumps_*) override the defaults. Throws Error (bad_input) for a library that PETSc was built
@@ -64,16 +71,11 @@ public:
     /// from that of K.
     [[nodiscard]] std::optional<bool> determinant_is_negative();
 
-    /// Solves with the current K and the last factor. `x` is overwritten. Stops at a residual of `tolerance`, at least that of the
-    /// settings, times the norm of the right-hand side. Method automatic switches to LU only if a fresh LDL^T factor needs many
-    /// iterations.
-    [[nodiscard]] LinearSolve solve(Vec b, Vec x, Factor factor = Factor::fresh, double tolerance = 0.0);
+    /// Solves with the current K and the last factor. Method automatic switches to LU only if a fresh LDL^T factor needs many iterations.
+    [[nodiscard]] LinearSolve solve(Vec b, Vec x, const SolveSettings& how = {});
 
     /// Solves K^T x = b with the last factor, which must be symmetric: an LU factor, and an operator in the place of K, do not converge.
     [[nodiscard]] LinearSolve solve_transposed(Vec b, Vec x);
-
-    /// Continues from x after a Krylov solve has reached its iteration limit, with the same limit again.
-    [[nodiscard]] LinearSolve improve(Vec b, Vec x);
 
     [[nodiscard]] bool is_krylov() const noexcept {
         return settings_.method == LinearMethod::krylov || settings_.method == LinearMethod::jacobian_free;
@@ -96,7 +98,7 @@ private:
     [[nodiscard]] bool use_next_factorization();
     [[nodiscard]] bool has_own_factors() const;
     [[nodiscard]] PC preconditioner() const;
-    [[nodiscard]] LinearSolve solve_once(Vec b, Vec x, double tolerance = 0.0);
+    [[nodiscard]] LinearSolve solve_once(Vec b, Vec x, const SolveSettings& how = {});
     /// Returns true for a numerical failure; throws for any other error code.
     [[nodiscard]] bool is_numerical_failure(PetscErrorCode code, const char* call) const;
 

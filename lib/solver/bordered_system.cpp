@@ -49,7 +49,7 @@ void BorderedSystem::set_loads(const StageLoads& loads) {
     forces.clear();
     for (std::size_t k = 0; k + 1 < count; ++k) forces.push_back({loads.unit_pressure(k), force_vectors_[k]});
     forces.push_back({loads.rate(), force_vectors_[count - 1]});
-    factor_is_recent = false;
+    factor_is_recent = columns_are_recent = false;
     assembled_at_.reset();
     loads_move_ = std::ranges::any_of(loads.rate().motions, [](double rate) { return rate != 0.0; });
 }
@@ -241,6 +241,7 @@ void BorderedSystem::fill_border() {
 }
 
 bool BorderedSystem::solve_columns(const SolveOne& solve) {
+    columns_are_recent = false;
     for (std::size_t j = 0; j < forces.size(); ++j) {
         if (linalg::norm(forces[j].out) == 0.0) {  // the load factor changes only volumes or masses
             SOFT_PETSC(VecZeroEntries(columns[j]));
@@ -248,6 +249,7 @@ bool BorderedSystem::solve_columns(const SolveOne& solve) {
         }
         if (!solve(forces[j].out, columns[j]).usable()) return false;
     }
+    columns_are_recent = true;
     return true;
 }
 

@@ -85,7 +85,8 @@ public:
     linalg::Matrix K;
     linalg::LinearSolver linear;
     linalg::Factorization factor;
-    bool factor_is_recent = false;  ///< made in the last correction
+    bool factor_is_recent = false;    ///< made in the last correction
+    bool columns_are_recent = false;  ///< solved in the last correction, at a state near its end
     linalg::Vector R;
     std::vector<fem::LoadColumn> forces;  ///< f_k, -dR/dlambda
     std::vector<linalg::Vector> columns;  ///< b_k, b_l

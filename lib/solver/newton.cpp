@@ -19,7 +19,7 @@ constexpr double loosest_linear_tolerance = 1e-2;
 /// With a new factor; one iteration reaches it. Newton's method corrects the rest.
 constexpr double tolerance_with_new_factor = 1e-5;
 /// With more iterations than this a new factor is cheaper.
-constexpr int many_iterations_for_a_kept_factor = 6;
+constexpr int max_iterations_with_kept_factor = 6;
 /// The first correction after a predictor may raise the residual of a nearly incompressible solid before it falls.
 constexpr double first_iteration_rise = 20.0;
 /// Times change_by_digits: bound of a residual that is rounding (0.1 to 2 times it, in rubber stretched fivefold to fortyfold).
@@ -88,7 +88,7 @@ NewtonResult Newton::correct_by(model::LineSearch line_search, const Constraint&
                                 State& state) {
     Correction now;
     now.line_search = line_search;
-    bordered_.factor_is_recent = linear_limit_met_ = false;
+    bordered_.factor_is_recent = bordered_.columns_are_recent = linear_limit_met_ = false;
     updates_.clear();
     now.evaluation = bordered_.evaluate_at(state);
     const auto report = [&](NewtonEnd end) {
@@ -162,7 +162,7 @@ bool Newton::is_rounding(const State& state, const Correction& now) {
 linalg::LinearSolve Newton::solve_updated(Vec b, Vec x, double tolerance) {
     linalg::LinearSolve last;
     const bool usable = updates_.apply(b, x, [&](Vec q, Vec r) {
-        last = bordered_.linear.solve(q, r, linalg::Factor::fresh, tolerance);
+        last = bordered_.linear.solve(q, r, {.tolerance = tolerance});
         linear_limit_met_ = linear_limit_met_ || last.at_limit;
         return last.usable();
     });
@@ -182,12 +182,10 @@ std::optional<NewtonEnd> Newton::solve_blocks(const State& state, const Correcti
     SOFT_PETSC(VecScale(bordered_.R, -1.0));
     const bool new_factor = full && bordered_.linear.is_direct();
     const double tolerance = new_factor ? tolerance_with_new_factor : 0.0;
-    if (!solve_all(now, [&](Vec b, Vec x) { return solve_updated(b, x, tolerance); })) return bordered_.solve_failure();
-    return std::nullopt;
-}
-
-bool Newton::solve_all(const Correction& now, const BorderedSystem::SolveOne& solve) {
-    return solve(bordered_.R, correction_).usable() && (now.loads_stay || bordered_.solve_columns(solve));
+    const auto solve = [&](Vec b, Vec x) { return solve_updated(b, x, tolerance); };
+    if (solve(bordered_.R, correction_).usable() && (now.loads_stay || bordered_.solve_columns(solve)))
+        return std::nullopt;
+    return bordered_.solve_failure();
 }
 
 /// K is that of this iteration, the factor that of an earlier one.
@@ -197,12 +195,15 @@ bool Newton::solve_with_kept_factor(const Correction& now) {
         return false;
     const double enough =
         now.residual > 0.0 ? share_of_linear_solves * now.aim / now.residual : loosest_linear_tolerance;
-    const double tolerance = std::min(enough, loosest_linear_tolerance);
+    linalg::SolveSettings how{linalg::Factor::stale, std::min(enough, loosest_linear_tolerance),
+                              max_iterations_with_kept_factor};
     SOFT_PETSC(VecScale(bordered_.R, -1.0));
-    const bool served = solve_all(now, [&](Vec b, Vec x) {
-        const auto solve = bordered_.linear.solve(b, x, linalg::Factor::stale, tolerance);
-        return solve.iterations <= many_iterations_for_a_kept_factor ? solve : linalg::LinearSolve{};
-    });
+    const auto solve = [&](Vec b, Vec x) { return bordered_.linear.solve(b, x, how); };
+    bool served = solve(bordered_.R, correction_).converged;
+    if (served && !now.loads_stay) {
+        how.starts_from_x = bordered_.columns_are_recent;
+        served = bordered_.solve_columns(solve);
+    }
     if (!served) SOFT_PETSC(VecScale(bordered_.R, -1.0));
     return served;
 }

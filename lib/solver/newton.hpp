@@ -132,7 +132,6 @@ private:
     [[nodiscard]] std::optional<NewtonEnd> solve_blocks(const State& state, const Correction& now);
     /// True if the previous factor was good enough for this iteration.
     [[nodiscard]] bool solve_with_kept_factor(const Correction& now);
-    [[nodiscard]] bool solve_all(const Correction& now, const BorderedSystem::SolveOne& solve);
     [[nodiscard]] std::optional<Increment> increment(const Correction& now);
     [[nodiscard]] Search move(const Increment& step, const State& state, State& trial, Correction& now);
     void add_secant_pair(double length);
@@ -141,7 +140,7 @@ private:
     // newton_tangent.cpp
     /// Solves for the columns at the state of the last evaluation, with the last factor or, if that is not accurate enough, a new one.
     [[nodiscard]] std::optional<NewtonEnd> solve_tangent_columns();
-    [[nodiscard]] linalg::LinearSolve solve_accurately(Vec b, Vec x, linalg::Factor factor);
+    [[nodiscard]] linalg::LinearSolve solve_accurately(Vec b, Vec x, linalg::SolveSettings how);
     [[nodiscard]] std::optional<int> unstable_modes();
     /// Negative pivots of K in excess of one per pressure unknown, after the check against the sign of the determinant.
     [[nodiscard]] std::optional<int> excess_pivots();

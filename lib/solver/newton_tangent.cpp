@@ -9,7 +9,7 @@ namespace soft::solver {
 namespace {
 
 /// A path tangent solved with the last correction's factor takes 2 or 3 iterations; with more than this a new factor is cheaper.
-constexpr int many_iterations_for_a_recent_factor = 5;
+constexpr int max_iterations_with_recent_factor = 5;
 /// How often a Krylov method may reach its iteration limit for the path tangent, which must be accurate.
 constexpr int rounds_for_a_direction = 10;
 /// A difference below this fraction of its terms is within the linear solver's tolerance.
@@ -47,21 +47,22 @@ std::optional<int> pivots_of_factor(const BorderedSystem& bordered) {
 
 }  // namespace
 
-linalg::LinearSolve Newton::solve_accurately(Vec b, Vec x, linalg::Factor factor) {
-    auto solve = bordered_.linear.solve(b, x, factor);
+linalg::LinearSolve Newton::solve_accurately(Vec b, Vec x, linalg::SolveSettings how) {
+    auto solve = bordered_.linear.solve(b, x, how);
+    how.starts_from_x = true;
     for (int round = 1; solve.at_limit && round < rounds_for_a_direction; ++round)
-        solve = bordered_.linear.improve(b, x);
+        solve = bordered_.linear.solve(b, x, how);
     if (!solve.converged) return {};
     return solve;
 }
 
 std::optional<NewtonEnd> Newton::solve_tangent_columns() {
-    const auto with_the_last = [this](Vec b, Vec x) {
-        const auto solve = solve_accurately(b, x, linalg::Factor::stale);
-        const bool good = bordered_.linear.is_krylov() || solve.iterations <= many_iterations_for_a_recent_factor;
-        return good ? solve : linalg::LinearSolve{};
-    };
-    const auto with_a_new = [this](Vec b, Vec x) { return solve_accurately(b, x, linalg::Factor::fresh); };
+    const linalg::SolveSettings how{
+        .factor = linalg::Factor::stale,
+        .max_iterations = bordered_.linear.is_krylov() ? 0 : max_iterations_with_recent_factor,
+        .starts_from_x = bordered_.columns_are_recent};
+    const auto with_the_last = [&](Vec b, Vec x) { return solve_accurately(b, x, how); };
+    const auto with_a_new = [this](Vec b, Vec x) { return solve_accurately(b, x, {}); };
     // The factor may be that of a slightly earlier state: its inertia is used only if it has not changed since the last tangent.
     const auto inertia_is_unchanged = [this] {
         const auto pivots = pivots_of_factor(bordered_);
@@ -134,7 +135,7 @@ std::optional<int> Newton::unstable_modes() {
 
 std::optional<PathTangent> Newton::bordered_solve(Vec b, std::span<const double> rows) {
     PathTangent solution{linalg::duplicate(b), 0, {}, {}, 0};
-    if (!solve_accurately(b, solution.x, linalg::Factor::stale).converged) return std::nullopt;
+    if (!solve_accurately(b, solution.x, {.factor = linalg::Factor::stale}).converged) return std::nullopt;
     auto missing = bordered_.rows_times(solution.x);
     for (std::size_t k = 0; k < missing.size(); ++k) missing[k] = (k < rows.size() ? rows[k] : 0.0) - missing[k];
     auto border = linalg::solve(bordered_.border, missing);

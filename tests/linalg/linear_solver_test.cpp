@@ -182,11 +182,34 @@ TEST(LinearSolver, KrylovSolveKeepsItsBestIterateAtTheLimitAndCanContinue) {
     EXPECT_EQ(second.iterations, 60);
     const double before = residual();
     EXPECT_LT(before, 1.0);
-    auto more = solver.improve(b, x);
+    auto more = solver.solve(b, x, {.starts_from_x = true});
     EXPECT_LT(residual(), before);
-    for (int i = 0; i < 200 && more.at_limit; ++i) more = solver.improve(b, x);
+    for (int i = 0; i < 200 && more.at_limit; ++i) more = solver.solve(b, x, {.starts_from_x = true});
     EXPECT_TRUE(more.converged);
     EXPECT_LT(residual(), 1e-8);
+}
+
+TEST(LinearSolver, StopsAtMaxIterationsWithAnEarlierFactorAndStartsFromANearbySolution) {
+    const auto A = laplacian(100);
+    LinearSolver solver(A);
+    ASSERT_TRUE(solver.factorize().succeeded);
+    SOFT_PETSC(MatShift(A, 0.3));
+    Vector x, b;
+    SOFT_PETSC(MatCreateVecs(A, x.out(), b.out()));
+    SOFT_PETSC(VecSet(b, 1.0));
+    SOFT_PETSC(VecSetValue(b, 3, 2.0, INSERT_VALUES));
+    assemble(b);
+    const auto full = solver.solve(b, x, {.factor = Factor::stale});
+    EXPECT_TRUE(full.converged);
+    EXPECT_GT(full.iterations, 3);
+    const auto few = solver.solve(b, duplicate(x), {.factor = Factor::stale, .max_iterations = 2});
+    EXPECT_EQ(few.iterations, 2);
+    EXPECT_FALSE(few.usable());
+    SOFT_PETSC(MatShift(A, 1e-5));
+    const auto near = solver.solve(b, x, {.factor = Factor::stale, .starts_from_x = true});
+    EXPECT_TRUE(near.converged);
+    EXPECT_LT(near.iterations, full.iterations);
+    EXPECT_TRUE(solver.solve(b, x, {.factor = Factor::stale}).converged);  // the limit of one solve only
 }
 
 TEST(LinearSolver, StopsAtTheRequestedTolerance) {
