@@ -27,12 +27,18 @@ constexpr double nearly_inverted = 0.05;
 constexpr const char* remedy = "; use smaller cells there (mesh.size)";
 constexpr const char* end_earlier = "; set path.until to end the path earlier, or request a smaller load";
 
-bool has_limit_point(const PathState& path) {
+bool is_past_limit_point(const PathState& path) {
     const auto& found = path.end.limit_points;
-    return !found.empty() && found.back().step >= path.first_row;
+    return !found.empty() && found.back().step >= path.first_row && path.load_falls(*path.last);
 }
 
-bool is_past_limit_point(const PathState& path) { return has_limit_point(path) && path.load_falls(*path.last); }
+/// Whether the requested load was larger at a limit point of this stage: also after a minimum, where it rises again.
+bool is_below_limit_point(const PathState& path, const model::Stage& stage) {
+    if (!stage.supplies.empty() && stage.supplies.front().what != model::Prescription::pressure) return false;
+    return std::ranges::any_of(path.end.limit_points, [&](const model::LimitPoint& point) {
+        return point.step >= path.first_row && std::abs(point.pressure_Pa) > std::abs(path.last->leading);
+    });
+}
 
 bool is_stalled(const PathState& path, model::StepRule steps) {
     if (steps == model::StepRule::constant || path.visited.size() <= stalled_rows) return false;
@@ -121,7 +127,7 @@ std::optional<Stop> stop_before_step(const PathState& path, fem::System& system)
     const std::string where = ": the last " + std::to_string(stalled_rows) +
                               " steps cover less than 1 % of its length, at " + state_text(*path.last, input);
     if (auto inverted = inverted_stop(path, system)) return inverted;
-    if (has_limit_point(path))  // after a maximum and a minimum too
+    if (is_past_limit_point(path) || is_below_limit_point(path, stage_of(input, path)))
         return Stop{
             StopReason::limit_point,
             "the requested load is not reached: the path is past the limit point and stalls" + where + end_earlier};
