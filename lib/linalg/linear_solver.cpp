@@ -246,8 +246,11 @@ LinearSolve LinearSolver::solve_once(Vec b, Vec x, const SolveSettings& how) {
     PetscInt limit = 0;
     SOFT_PETSC(KSPGetTolerances(ksp_, &usual, nullptr, nullptr, &limit));
     SOFT_PETSC(KSPSetTolerances(ksp_, std::max<PetscReal>(how.tolerance, usual), PETSC_DEFAULT, PETSC_DEFAULT,
-                                how.max_iterations > 0 ? how.max_iterations : limit));
-    SOFT_PETSC(KSPSetInitialGuessNonzero(ksp_, how.starts_from_x ? PETSC_TRUE : PETSC_FALSE));
+                                how.max_iterations > 0 ? std::min<PetscInt>(how.max_iterations, limit) : limit));
+    PetscBool factor_only = PETSC_FALSE;  // -ksp_type preonly, which allows no start
+    SOFT_PETSC(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(ksp_.get()), KSPPREONLY, &factor_only));
+    const bool starts_from_x = how.starts_from_x && factor_only == PETSC_FALSE;
+    SOFT_PETSC(KSPSetInitialGuessNonzero(ksp_, starts_from_x ? PETSC_TRUE : PETSC_FALSE));
     const PetscErrorCode code = KSPSolve(ksp_, b, x);
     SOFT_PETSC(KSPSetTolerances(ksp_, usual, PETSC_DEFAULT, PETSC_DEFAULT, limit));
     if (is_numerical_failure(code, "KSPSolve")) return {};

@@ -86,7 +86,7 @@ public:
     linalg::LinearSolver linear;
     linalg::Factorization factor;
     bool factor_is_recent = false;    ///< made in the last correction
-    bool columns_are_recent = false;  ///< solved in the last correction, at a state near its end
+    bool columns_are_recent = false;  ///< solved in the last correction: a start for those at its end
     linalg::Vector R;
     std::vector<fem::LoadColumn> forces;  ///< f_k, -dR/dlambda
     std::vector<linalg::Vector> columns;  ///< b_k, b_l

@@ -8,8 +8,9 @@ namespace soft::solver {
 
 namespace {
 
-/// A path tangent solved with the last correction's factor takes 2 or 3 iterations; with more than this a new factor is cheaper.
-constexpr int max_iterations_with_recent_factor = 5;
+/// A path tangent solved with the last correction's factor takes 2 or 3 iterations; with more than this a new factor is cheaper, and the
+/// inertia of the old one may not be that of K. From the columns of that correction, half of the digits remain.
+constexpr int max_iterations_with_recent_factor = 5, max_iterations_from_recent_columns = 3;
 /// How often a Krylov method may reach its iteration limit for the path tangent, which must be accurate.
 constexpr int rounds_for_a_direction = 10;
 /// A difference below this fraction of its terms is within the linear solver's tolerance.
@@ -57,10 +58,11 @@ linalg::LinearSolve Newton::solve_accurately(Vec b, Vec x, linalg::SolveSettings
 }
 
 std::optional<NewtonEnd> Newton::solve_tangent_columns() {
-    const linalg::SolveSettings how{
-        .factor = linalg::Factor::stale,
-        .max_iterations = bordered_.linear.is_krylov() ? 0 : max_iterations_with_recent_factor,
-        .starts_from_x = bordered_.columns_are_recent};
+    const bool starts = bordered_.columns_are_recent;
+    const int limit = starts ? max_iterations_from_recent_columns : max_iterations_with_recent_factor;
+    const linalg::SolveSettings how{.factor = linalg::Factor::stale,
+                                    .max_iterations = bordered_.linear.is_krylov() ? 0 : limit,
+                                    .starts_from_x = starts};
     const auto with_the_last = [&](Vec b, Vec x) { return solve_accurately(b, x, how); };
     const auto with_a_new = [this](Vec b, Vec x) { return solve_accurately(b, x, {}); };
     // The factor may be that of a slightly earlier state: its inertia is used only if it has not changed since the last tangent.
@@ -84,7 +86,9 @@ std::optional<PathTangent> Newton::tangent(const Constraint& constraint, const S
         return std::nullopt;
     bordered_.differentiate(state);
     bordered_.add_time_force(state);
-    if (const auto failed = solve_tangent_columns()) {
+    const auto failed = solve_tangent_columns();
+    bordered_.columns_are_recent = false;  // the next tangent may be that of another state
+    if (failed) {
         tangent_end_ = *failed;
         return std::nullopt;
     }
