@@ -223,14 +223,22 @@ bool Assembler::add_contact(const Targets& to, Mat K, NewEntries entries) const 
     return is_beyond == 1;
 }
 
-void Assembler::load_forces(Vec x, const LoadLevels& levels, Vec R) {
+void Assembler::load_forces(Vec x, const LoadLevels& levels, Vec R, Mat K) {
     state_.prescribe(levels);
     state_.read(x);
     SOFT_PETSC(VecZeroEntries(R));
-    const Targets to{R, nullptr, {}};
+    std::optional<linalg::BlockAdder> stiffness;
+    if (K != nullptr) {
+        SOFT_PETSC(MatZeroEntries(K));
+        find_block_indices(K);
+        stiffness.emplace(K);
+    }
+    const Targets to{R, stiffness ? &*stiffness : nullptr, {}};
     for (std::size_t load = 0; load < loads_.pressures.size(); ++load) add_pressures(load, to);
+    stiffness.reset();
     linalg::assemble(R);
     add_dead_loads(to);
+    if (K != nullptr) linalg::assemble(K);
 }
 
 double Assembler::load_power(Vec x, Vec velocity, const LoadLevels& levels, const LoadLevels& rates) {

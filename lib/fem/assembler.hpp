@@ -44,8 +44,8 @@ public:
     Evaluation evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::span<const LoadColumn> columns,
                         NewEntries entries);
 
-    /// The part of R of pressure and dead loads alone, and of no cell. Prescribes the levels.
-    void load_forces(Vec x, const LoadLevels& levels, Vec R);
+    /// The part of R of pressure and dead loads alone, and of no cell, and with K its derivative. Prescribes the levels.
+    void load_forces(Vec x, const LoadLevels& levels, Vec R, Mat K = nullptr);
 
     /// Power of the loads on the modelled part [W], in the time unit of `velocity` of the unknowns and `rates`
     /// of the levels; prescribed motions contribute with the forces that move their nodes. Prescribes the levels.

@@ -45,11 +45,11 @@ bool DenseFactor::determinant_is_negative() const {
     return negative;
 }
 
-void DenseFactor::solve(std::vector<double>& b) const {
+void DenseFactor::solve(std::vector<double>& b, bool transposed) const {
     const PetscBLASInt n = size_, one = 1;
     PetscBLASInt info = 0;
     if (symmetry_ == Symmetry::general)
-        LAPACKgetrs_("N", &n, &one, values_.data(), &n, pivots_.data(), b.data(), &n, &info);
+        LAPACKgetrs_(transposed ? "T" : "N", &n, &one, values_.data(), &n, pivots_.data(), b.data(), &n, &info);
     else
         LAPACKsytrs_("U", &n, &one, values_.data(), &n, pivots_.data(), b.data(), &n, &info);
 }

@@ -13,9 +13,9 @@ public:
     explicit DenseFactor(Symmetry symmetry = Symmetry::symmetric) : symmetry_(symmetry) {}
     /// Returns false if a pivot is zero or not finite.
     [[nodiscard]] bool factorize(std::vector<double> values, int size);
-    [[nodiscard]] PetscInt negative_eigenvalues() const;  ///< symmetric matrices only
-    [[nodiscard]] bool determinant_is_negative() const;   ///< general matrices only
-    void solve(std::vector<double>& b) const;             ///< in place
+    [[nodiscard]] PetscInt negative_eigenvalues() const;                ///< symmetric matrices only
+    [[nodiscard]] bool determinant_is_negative() const;                 ///< general matrices only
+    void solve(std::vector<double>& b, bool transposed = false) const;  ///< in place
 
 private:
     [[nodiscard]] double entry(int row, int column) const {

@@ -24,6 +24,8 @@ public:
     /// nullopt for a symmetric matrix.
     [[nodiscard]] virtual std::optional<bool> determinant_is_negative() const = 0;
     virtual void solve(Vec b, Vec x) = 0;
+    /// Whether later solves are with the transposed matrix; ignored by factors of symmetric matrices.
+    virtual void set_transposed(bool) {}
 };
 
 }  // namespace soft::linalg

@@ -40,8 +40,9 @@ PetscErrorCode apply_factors(PC pc, Vec b, Vec x) {
 
 }  // namespace
 
-LinearSolver::LinearSolver(Mat K, Symmetry symmetry, const LinearSettings& settings, int threads)
-    : K_(K), settings_(settings), threads_(threads) {
+LinearSolver::LinearSolver(Mat K, Symmetry symmetry, const LinearSettings& settings, int threads,
+                           std::vector<PetscInt> last)
+    : K_(K), settings_(settings), threads_(threads), last_(std::move(last)) {
     SOFT_PETSC(KSPCreate(PetscObjectComm(reinterpret_cast<PetscObject>(K)), ksp_.out()));
     SOFT_PETSC(KSPSetType(ksp_, KSPFGMRES));
     SOFT_PETSC(KSPGMRESSetRestart(ksp_, restart_of(settings)));
@@ -102,7 +103,7 @@ void LinearSolver::try_multifrontal() {
         if (triangle * triangle / n > flops_of_each_rank) return;
     }
     const ScopedTimer timed(Phase::ordering);
-    auto factors = std::make_unique<Multifrontal>(K_, threads_);
+    auto factors = std::make_unique<Multifrontal>(K_, threads_, last_);
     const double limit = ranks > 1 ? flops_of_each_rank : std::numeric_limits<double>::max();
     if (factors->flops() <= limit) own_ = std::move(factors);
 }
@@ -236,7 +237,9 @@ LinearSolve LinearSolver::solve_transposed(Vec b, Vec x) {
     Matrix transposed;
     SOFT_PETSC(MatCreateTranspose(K_, transposed.out()));
     SOFT_PETSC(KSPSetOperators(ksp_, transposed, K_));
+    if (has_own_factors()) own_->set_transposed(true);
     const LinearSolve result = solve_once(b, x);
+    if (has_own_factors()) own_->set_transposed(false);
     set_operators();
     return result;
 }

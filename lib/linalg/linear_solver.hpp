@@ -5,8 +5,8 @@
 ///       the whole matrix. The solver switches permanently to LDL^T by MUMPS when a factorisation fails or needs many iterations.
 ///       MUMPS runs as one distributed instance on one rank or on very many, otherwise as one instance per rank (substructures.hpp).
 ///       With a fresh factor of a symmetric K the loop takes one or two iterations. The same loop corrects the unsymmetric part of K
-///       (a follower pressure on a surface with a free edge), which LDL^T ignores. If that part is large, the loop needs many
-///       iterations and the solver switches permanently to LU. If the caller declares K unsymmetric, the solver starts with LU.
+///       (a follower pressure on a surface with a free edge), which LDL^T ignores unless the few
+///       unknowns of such entries are given as `last`. If that part is large, the loop needs many iterations and the solver switches permanently to LU. If the caller declares K unsymmetric, the solver starts with LU.
 ///   mumps_ldlt, mumps_lu, superlu_dist, cholmod: this factorisation, however many iterations it needs. CHOLMOD's LL^T fails
 ///       (reported as a value) if K is not positive definite: beyond a limit point, and for any K with pressure unknowns.
 ///   krylov: the preconditioner of the settings; jacobian_free: the same, with an operator provided by the caller.
@@ -50,8 +50,9 @@ public:
     /// PETSc options (-ksp_*, -pc_*, -mat_mumps_*) override the defaults. Throws Error (bad_input) for a library that PETSc was built
     /// without, and for CHOLMOD on several ranks. `threads` (math/threads.hpp) are used by factorisations of method
     /// automatic; the results do not depend on their number.
+    /// `last`: the unknowns of unsymmetric entries of a K that is called symmetric (multifrontal.hpp).
     explicit LinearSolver(Mat K, Symmetry symmetry = Symmetry::symmetric, const LinearSettings& settings = {},
-                          int threads = 0);
+                          int threads = 0, std::vector<PetscInt> last = {});
 
     /// Required by Preconditioner::multigrid, before the first factorize().
     void set_levels(ElementLevels levels);
@@ -107,6 +108,7 @@ private:
     int threads_;
     Choice choice_ = Choice::lu;    // of method automatic
     std::vector<PetscInt> order_;   // elimination order of the substructures
+    std::vector<PetscInt> last_;    // unknowns that the multifrontal factor eliminates last
     std::unique_ptr<Factors> own_;  // used by the preconditioner of ksp_, which is destroyed first
     std::unique_ptr<Multigrid> multigrid_;
     KrylovSolver ksp_;

@@ -1,6 +1,8 @@
 #pragma once
-/// The rows of a sequential AIJ matrix as PETSc stores them, not owned. Internal to the module.
+/// The rows of a sequential AIJ matrix as PETSc stores them, not owned.
 /// Tested by linalg/block_entries_test and linalg/multifrontal_test.
+#include <vector>
+
 #include "linalg/petsc.hpp"
 
 namespace soft::linalg {
@@ -20,5 +22,8 @@ struct MatrixRows {
     rows.values = values;
     return rows;
 }
+
+/// The unknowns of the entries K_ij that differ from K_ji, of a sequential K with a symmetric pattern.
+[[nodiscard]] std::vector<PetscInt> unsymmetric_unknowns(Mat K);
 
 }  // namespace soft::linalg

@@ -4,19 +4,24 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <map>
 #include <mutex>
 #include <new>
+#include <numeric>
+#include <optional>
 #include <span>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
+#include "linalg/dense_factor.hpp"
 #include "linalg/elimination_order.hpp"
 #include "linalg/front.hpp"
 #include "linalg/matrix_rows.hpp"
+#include "linalg/supernodes.hpp"
 #include "math/threads.hpp"
 
 namespace soft::linalg {
@@ -27,6 +32,12 @@ static_assert(sizeof(PetscInt) == sizeof(int), "CHOLMOD's int interface is used"
 
 constexpr double min_diagonal = 1e-6;
 
+/// Bound of the eigenvalues of F^-1 A (contraction_of). Below 1 no F + t A with t from 0 to 1 is singular, so that det K has the sign that the
+/// inertia of F gives.
+constexpr double largest_contraction = 0.9;
+constexpr int power_iterations = 12;
+/// A front with more columns is not factorised twice.
+constexpr std::size_t most_unsymmetric = 2000;
 /// Matrices with fewer flops are factorised by one thread.
 constexpr double flops_of_threads = 5e7;
 
@@ -36,64 +47,16 @@ double flops_of(double rows, double columns) {
     return columns * columns * columns / 3 + columns * columns * rest + columns * rest * rest;
 }
 
-/// The structure of L: supernodes, that is columns with nearly the same rows, which CHOLMOD merges where that costs few zeros.
-class Structure {
-public:
-    Structure(const MatrixRows& rows, std::vector<PetscInt> order) {
-        cholmod_start(&common_);
-        common_.print = 0;
-        common_.supernodal = CHOLMOD_SUPERNODAL;
-        common_.nmethods = 1;
-        common_.method[0].ordering = CHOLMOD_GIVEN;
-        common_.postorder = 1;
-        const auto count = static_cast<std::size_t>(rows.count);
-        // Row i of the upper triangle of K is column i of the lower one.
-        lower_ = cholmod_allocate_sparse(count, count, static_cast<std::size_t>(rows.begin[rows.count]), 1, 1, -1,
-                                         CHOLMOD_PATTERN, &common_);
-        check();
-        auto* start = static_cast<int*>(lower_->p);
-        auto* index = static_cast<int*>(lower_->i);
-        int next = 0;
-        for (PetscInt row = 0; row < rows.count; ++row) {
-            start[row] = next;
-            for (PetscInt k = rows.begin[row]; k < rows.begin[row + 1]; ++k)
-                if (rows.columns[k] >= row) index[next++] = rows.columns[k];
-        }
-        start[rows.count] = next;
-        factor_ = cholmod_analyze_p(lower_, order.data(), nullptr, 0, &common_);
-        check();
-    }
-    ~Structure() {
-        cholmod_free_factor(&factor_, &common_);
-        cholmod_free_sparse(&lower_, &common_);
-        cholmod_finish(&common_);
-    }
-    Structure(const Structure&) = delete;
-    Structure& operator=(const Structure&) = delete;
-    /// nullptr if the factor has more entries than an int can count.
-    [[nodiscard]] const cholmod_factor* factor() const { return factor_; }
-
-private:
-    void check() const {
-        if (common_.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
-        if (common_.status < CHOLMOD_OK && common_.status != CHOLMOD_TOO_LARGE)
-            throw Error(ExitCode::internal, "CHOLMOD", "status " + std::to_string(common_.status));
-    }
-
-    cholmod_common common_{};
-    cholmod_sparse* lower_ = nullptr;
-    cholmod_factor* factor_ = nullptr;
-};
-
 /// A node of the assembly tree.
 struct Node {
-    std::size_t columns;        ///< eliminated here
-    std::vector<int> rows;      ///< positions in the elimination order, ascending, beginning with the eliminated ones
+    std::size_t columns = 0;    ///< eliminated here
+    std::vector<int> rows{};    ///< positions in the elimination order, ascending, beginning with the eliminated ones
     std::vector<int> places{};  ///< of the other rows among those of the parent
     std::vector<int> children{};
     double flops_below = 0;  ///< of the subtree
     Front front{};
-    std::vector<double> part{};  ///< of the vector in solve(), by rows
+    std::optional<DenseFactor> unsymmetric{};  ///< of a root with unknowns that are eliminated last
+    std::vector<double> part{};                ///< of the vector in solve(), by rows
 };
 
 /// Work on a child is a task if its subtree has more flops (for solves: flops of the factorisation) than this.
@@ -118,6 +81,30 @@ private:
     std::mutex mutex_;
     std::multimap<std::size_t, std::vector<double>> free_;  // by capacity
 };
+
+/// Estimate of the largest |eigenvalue| of F^-1 A by the power method, from an arbitrary start; F is a front that is eliminated as a whole,
+/// and A antisymmetric: the eigenvalues are pairs of opposite signs, so that only every second ratio of lengths converges.
+double contraction_of(const Front& front, const std::vector<double>& A) {
+    const auto n = static_cast<std::size_t>(std::llround(std::sqrt(static_cast<double>(A.size()))));
+    std::vector<double> x(n), y(n);
+    for (std::size_t i = 0; i < n; ++i) x[i] = std::sin(static_cast<double>(1 + i * i));
+    double ratio = 0, before = 0;
+    for (int i = 0; i < power_iterations; ++i) {
+        std::ranges::fill(y, 0.0);
+        for (std::size_t c = 0; c < n; ++c)
+            for (std::size_t r = 0; r < n; ++r) y[r] += A[c * n + r] * x[c];
+        front.forward(y);
+        front.backward(y);
+        const auto length = [](const std::vector<double>& v) {
+            return std::sqrt(std::inner_product(v.begin(), v.end(), v.begin(), 0.0));
+        };
+        before = std::exchange(ratio, length(y) / length(x));
+        if (!(ratio > 0.0)) return ratio;
+        const double size = length(y);
+        for (std::size_t r = 0; r < n; ++r) x[r] = y[r] / size;
+    }
+    return std::sqrt(before * ratio);
+}
 
 std::vector<double> bounded_diagonal(const MatrixRows& rows) {
     std::vector<double> own(static_cast<std::size_t>(rows.count), 0.0);
@@ -145,6 +132,8 @@ struct Multifrontal::Parts {
     std::vector<PetscInt> unknown, position;  ///< [position] and [unknown]
     std::vector<Node> nodes;                  ///< children before their parents
     std::vector<int> roots;
+    std::vector<PetscInt> last;  ///< unknowns with unsymmetric entries among each other
+    bool transposed = false;
     double flops = 0;
     std::vector<double> diagonal;  ///< [unknown]
     Storage storage;
@@ -158,6 +147,7 @@ struct Multifrontal::Parts {
     void analyze(const MatrixRows& rows);
     void factorize(const MatrixRows& K, int index);
     void assemble(const MatrixRows& K, Node& node);
+    [[nodiscard]] bool eliminate_unsymmetric(const MatrixRows& K, Node& node);
     void forward(int index, std::vector<double>& x);
     void backward(int index, std::vector<double>& x);
     /// Calls work(child) for all children and waits; large subtrees are tasks. work must not throw.
@@ -183,26 +173,36 @@ struct Multifrontal::Parts {
 };
 
 void Multifrontal::Parts::analyze(const MatrixRows& rows) {
-    const auto count = static_cast<std::size_t>(rows.count);
-    std::vector<PetscInt> order(count);
-    const auto wanted = elimination_order(rows, rows.count);
-    for (std::size_t i = 0; i < count; ++i) order[static_cast<std::size_t>(wanted[i])] = static_cast<PetscInt>(i);
-    const Structure structure(rows, std::move(order));
+    const GroupGraph graph(rows, rows.count);
+    std::vector<int> last_groups;
+    for (const PetscInt i : last) last_groups.push_back(graph.group_of(i));
+    const Supernodes structure(graph, last_groups);
     if (structure.factor() == nullptr) {
         flops = std::numeric_limits<double>::infinity();
         return;
     }
     const cholmod_factor& L = *structure.factor();
-    const auto *permutation = static_cast<const int*>(L.Perm), *first_column = static_cast<const int*>(L.super),
+    const auto *group_at = static_cast<const int*>(L.Perm), *first_column = static_cast<const int*>(L.super),
                *first_row = static_cast<const int*>(L.pi), *row = static_cast<const int*>(L.s);
-    unknown.assign(permutation, permutation + count);
-    position.resize(count);
-    for (std::size_t i = 0; i < count; ++i) position[static_cast<std::size_t>(unknown[i])] = static_cast<PetscInt>(i);
+    std::vector<int> begin{0};  // [group in elimination order] position of its first unknown
+    for (std::size_t i = 0; i < graph.size(); ++i) {
+        const auto& group = graph.unknowns(group_at[i]);
+        unknown.insert(unknown.end(), group.begin(), group.end());
+        begin.push_back(static_cast<int>(unknown.size()));
+    }
+    position.resize(unknown.size());
+    for (std::size_t i = 0; i < unknown.size(); ++i)
+        position[static_cast<std::size_t>(unknown[i])] = static_cast<PetscInt>(i);
     std::vector<std::size_t> node_of;  // [position]
     for (std::size_t s = 0; s < L.nsuper; ++s) {
-        const auto columns = static_cast<std::size_t>(first_column[s + 1] - first_column[s]);
-        nodes.push_back({columns, {row + first_row[s], row + first_row[s + 1]}});
-        node_of.insert(node_of.end(), columns, s);
+        Node& node = nodes.emplace_back();
+        node.columns = static_cast<std::size_t>(begin[static_cast<std::size_t>(first_column[s + 1])] -
+                                                begin[static_cast<std::size_t>(first_column[s])]);
+        for (int i = first_row[s]; i < first_row[s + 1]; ++i)
+            for (int at = begin[static_cast<std::size_t>(row[i])]; at < begin[static_cast<std::size_t>(row[i]) + 1];
+                 ++at)
+                node.rows.push_back(at);
+        node_of.insert(node_of.end(), node.columns, s);
     }
     for (std::size_t s = 0; s < nodes.size(); ++s) {
         Node& node = nodes[s];
@@ -249,6 +249,37 @@ void Multifrontal::Parts::assemble(const MatrixRows& K, Node& node) {
     }
 }
 
+/// Eliminates the mean of both entries of each pair in the front of a root, which gives the inertia, and factorises the front with both
+/// for the solves, unless the difference is so large that the inertia says little about K, which the iterations of the solver then show.
+bool Multifrontal::Parts::eliminate_unsymmetric(const MatrixRows& K, Node& node) {
+    const std::size_t n = node.columns;
+    std::vector<double> full(n * n), difference(n * n);  // of columns
+    for (std::size_t c = 0; c < n; ++c)
+        for (std::size_t r = c; r < n; ++r)
+            full[c * n + r] = full[r * n + c] = node.front.column(static_cast<int>(c))[r];
+    const auto begin = static_cast<std::size_t>(node.rows.front());  // its rows are consecutive
+    for (std::size_t r = 0; r < n; ++r) {
+        const PetscInt row = unknown[begin + r];
+        for (PetscInt k = K.begin[row]; k < K.begin[row + 1]; ++k) {
+            const auto other = static_cast<std::size_t>(position[static_cast<std::size_t>(K.columns[k])]);
+            if (other < begin || other == begin + r) continue;
+            const std::size_t c = other - begin;
+            difference[c * n + r] += 0.5 * K.values[k];
+            difference[r * n + c] -= 0.5 * K.values[k];
+        }
+    }
+    for (std::size_t c = 0; c < n; ++c)
+        for (std::size_t r = c + 1; r < n; ++r) {  // both entries have the value of the row eliminated first
+            node.front.column(static_cast<int>(c))[r] += difference[c * n + r];
+            full[r * n + c] = node.front.column(static_cast<int>(c))[r] + difference[r * n + c];
+            full[c * n + r] = node.front.column(static_cast<int>(c))[r] + difference[c * n + r];
+        }
+    node.unsymmetric.reset();
+    if (!node.front.eliminate()) return false;
+    if (!(contraction_of(node.front, difference) < largest_contraction)) return true;
+    return node.unsymmetric.emplace(Symmetry::general).factorize(std::move(full), static_cast<int>(n));
+}
+
 /// The subtree of a node. Called by one thread of a team; the other threads take its tasks.
 void Multifrontal::Parts::factorize(const MatrixRows& K, int index) {
     Node& node = nodes[static_cast<std::size_t>(index)];
@@ -256,7 +287,8 @@ void Multifrontal::Parts::factorize(const MatrixRows& K, int index) {
     if (failed || out_of_memory) return;
     try {
         assemble(K, node);
-        if (!node.front.eliminate()) failed = true;
+        const bool is_root = node.rows.size() == node.columns && node.columns <= most_unsymmetric;
+        if (!(!last.empty() && is_root ? eliminate_unsymmetric(K, node) : node.front.eliminate())) failed = true;
     } catch (const std::bad_alloc&) {  // an exception must not leave a task
         out_of_memory = true;
     }
@@ -274,6 +306,7 @@ void Multifrontal::Parts::forward(int index, std::vector<double>& x) {
         for (std::size_t i = 0; i < below.places.size(); ++i)
             node.part[static_cast<std::size_t>(below.places[i])] += below.part[below.columns + i];
     }
+    if (node.unsymmetric) return;
     node.front.forward(node.part);
     std::copy_n(node.part.begin(), node.columns, own.begin());
 }
@@ -281,7 +314,10 @@ void Multifrontal::Parts::forward(int index, std::vector<double>& x) {
 /// L^T x = y in the subtree of a node; the part of its parent is known.
 void Multifrontal::Parts::backward(int index, std::vector<double>& x) {
     Node& node = nodes[static_cast<std::size_t>(index)];
-    node.front.backward(node.part);
+    if (node.unsymmetric)
+        node.unsymmetric->solve(node.part, transposed);
+    else
+        node.front.backward(node.part);
     std::copy_n(node.part.begin(), node.columns, x.begin() + node.rows.front());
     for_children(node, [&](int child) {
         Node& below = nodes[static_cast<std::size_t>(child)];
@@ -291,7 +327,8 @@ void Multifrontal::Parts::backward(int index, std::vector<double>& x) {
     });
 }
 
-Multifrontal::Multifrontal(Mat K, int threads) : parts_(std::make_unique<Parts>()) {
+Multifrontal::Multifrontal(Mat K, int threads, std::vector<PetscInt> last) : parts_(std::make_unique<Parts>()) {
+    parts_->last = std::move(last);
     int size = 1;
     SOFT_PETSC(PetscObjectGetComm(reinterpret_cast<PetscObject>(K), &parts_->ranks));
     MPI_Comm_size(parts_->ranks, &size);
@@ -306,6 +343,8 @@ Multifrontal::Multifrontal(Mat K, int threads) : parts_(std::make_unique<Parts>(
 }
 
 Multifrontal::~Multifrontal() = default;
+
+void Multifrontal::set_transposed(bool transposed) { parts_->transposed = transposed; }
 
 double Multifrontal::flops() const { return parts_->flops; }
 

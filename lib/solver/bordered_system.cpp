@@ -7,6 +7,7 @@
 
 #include "fem/element_levels.hpp"
 #include "fem/mass.hpp"
+#include "linalg/matrix_rows.hpp"
 #include "model/cavity_surface.hpp"
 
 namespace soft::solver {
@@ -16,9 +17,29 @@ namespace {
 /// Step of differences in time, of the shortest relaxation time or the step; and of the time itself, which has 16 digits.
 constexpr double time_difference = 1e-5, time_digits = 1e-10;
 
+constexpr double largest_unsymmetric_share = 0.02, most_unsymmetric = 1000;
+
 model::SolverSettings with_choice(const fem::System& system, model::SolverSettings settings) {
     settings.linear = fem::choose_linear(settings.linear, system.input(), system.dofs().total, symmetry_of(system));
     return settings;
+}
+
+/// Of the stiffness of pressures on surfaces with a free edge. On several ranks, which would each need the whole matrix, and where there
+/// are so many that they would fill the factor, the iterations correct what LDL^T ignores.
+std::vector<PetscInt> unsymmetric_unknowns(fem::System& system, const model::SolverSettings& settings, Mat K) {
+    int ranks = 1;
+    MPI_Comm_size(system.comm(), &ranks);
+    if (settings.linear.method != model::LinearMethod::automatic || !system.has_symmetric_tangent() || ranks > 1)
+        return {};
+    auto levels = fem::no_loads(system.input());
+    std::iota(levels.pressures_Pa.begin(), levels.pressures_Pa.end(), 1.0);  // equal ones may cancel at a common edge
+    const linalg::Vector R = system.make_vector();
+    system.assembler().load_forces(system.make_vector(), levels, R, K);
+    auto found = linalg::unsymmetric_unknowns(K);
+    const double most =
+        std::min(most_unsymmetric, largest_unsymmetric_share * static_cast<double>(system.dofs().total));
+    if (static_cast<double>(found.size()) > most) found.clear();
+    return found;
 }
 
 }  // namespace
@@ -31,7 +52,8 @@ BorderedSystem::BorderedSystem(fem::System& fem_system, const model::SolverSetti
     : system(fem_system),
       settings(with_choice(fem_system, given)),
       K(fem_system.make_matrix()),
-      linear(K, symmetry_of(fem_system), settings.linear, settings.threads),
+      linear(K, symmetry_of(fem_system), settings.linear, settings.threads,
+             unsymmetric_unknowns(fem_system, settings, K)),
       R(fem_system.make_vector()),
       R_of_forces_(fem_system.make_vector()) {
     const bool matrix_free = settings.linear.method == model::LinearMethod::jacobian_free;
@@ -226,18 +248,19 @@ void BorderedSystem::subtract_rows(const std::vector<double>& factors, Vec by_x)
 
 void BorderedSystem::fill_border() {
     const int n = static_cast<int>(forces.size()), last = n - 1;
-    border = linalg::SmallMatrix(n);
-    for (int j = 0; j < n; ++j) {
-        const auto column = rows_times(columns[static_cast<std::size_t>(j)]);
-        for (int i = 0; i < n; ++i) border.at(i, j) = column[static_cast<std::size_t>(i)];
-    }
+    by_loads = linalg::SmallMatrix(n);
     for (std::size_t k = 0; k < supply.size(); ++k) {
         const int row = static_cast<int>(k);
-        border.at(row, row) += supply[k].by_pressure;
-        border.at(row, last) += supply[k].by_load_factor + supply[k].by_volume * volume_by_load_factor_[k];
-        border.at(last, row) += constraint.by_pressures[k];
+        by_loads.at(row, row) = supply[k].by_pressure;
+        by_loads.at(row, last) = supply[k].by_load_factor + supply[k].by_volume * volume_by_load_factor_[k];
+        by_loads.at(last, row) = constraint.by_pressures[k];
     }
-    border.at(last, last) += constraint.by_load_factor;
+    by_loads.at(last, last) = constraint.by_load_factor;
+    border = by_loads;
+    for (int j = 0; j < n; ++j) {
+        const auto column = rows_times(columns[static_cast<std::size_t>(j)]);
+        for (int i = 0; i < n; ++i) border.at(i, j) += column[static_cast<std::size_t>(i)];
+    }
 }
 
 bool BorderedSystem::solve_columns(const SolveOne& solve) {

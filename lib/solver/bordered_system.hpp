@@ -92,7 +92,8 @@ public:
     std::vector<linalg::Vector> columns;  ///< b_k, b_l
     std::vector<SupplyEquation> supply;
     ConstraintValue constraint;
-    linalg::SmallMatrix border;
+    linalg::SmallMatrix by_loads;  ///< D: derivatives of the rows by the bordered unknowns
+    linalg::SmallMatrix border;    ///< D + rows C
 
 private:
     [[nodiscard]] Mat matrix_for(Assemble what);

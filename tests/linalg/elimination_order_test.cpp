@@ -91,5 +91,45 @@ TEST(EliminationOrder, FillsNoMoreThanDissectionByLines) {
     }
 }
 
+/// The graph of `cells` x `cells` squares of second order: vertices, edges and a centre, all of which couple within a cell.
+struct SecondOrder {
+    std::vector<PetscInt> begin{0}, columns;
+
+    explicit SecondOrder(int cells) {
+        const int side = 2 * cells + 1;
+        const auto low = [](int i) { return std::max(0, i % 2 == 0 ? i - 2 : i - 1); };
+        const auto high = [side](int i) { return std::min(side - 1, i % 2 == 0 ? i + 2 : i + 1); };
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) {
+                for (int j = low(y); j <= high(y); ++j)
+                    for (int i = low(x); i <= high(x); ++i) columns.push_back(j * side + i);
+                begin.push_back(static_cast<PetscInt>(columns.size()));
+            }
+    }
+    [[nodiscard]] MatrixRows rows() const {
+        return {static_cast<PetscInt>(begin.size()) - 1, begin.data(), columns.data(), nullptr};
+    }
+};
+
+// The bound of the test above, for the (2 cells)^2 points; the centres, which four vertices and four edges dominate, are left out of the
+// dissection.
+TEST(EliminationOrder, FillsNoMoreWithCellsOfSecondOrder) {
+    constexpr int cells = 40, side = 2 * cells + 1;
+    const SecondOrder mesh(cells);
+    const auto rows = mesh.rows();
+    const Order positions = elimination_order(rows, rows.count);
+    EXPECT_LT(static_cast<double>(entries_of_factor(rows, positions)), 31.0 / 4 * side * side * std::log2(side));
+}
+
+TEST(EliminationOrder, KeepsTheLastGroupsLast) {
+    const SecondOrder mesh(6);
+    const GroupGraph graph(mesh.rows(), mesh.rows().count);
+    const std::vector<int> last{graph.group_of(40), graph.group_of(14)};
+    auto order = elimination_order(graph, last);
+    EXPECT_TRUE(std::equal(last.begin(), last.end(), order.end() - 2));
+    std::ranges::sort(order);
+    EXPECT_EQ(order, natural(static_cast<PetscInt>(graph.size())));
+}
+
 }  // namespace
 }  // namespace soft::linalg

@@ -5,16 +5,21 @@
 
 #include <cmath>
 
+#include "linalg/matrix_rows.hpp"
 #include "linalg/small_matrix.hpp"
 
 namespace soft::linalg {
 namespace {
 
-Matrix sparse(const SmallMatrix& A) {
+enum class Zeros { keep, omit };
+
+Matrix sparse(const SmallMatrix& A, Zeros zeros = Zeros::keep) {
     Matrix K;
     SOFT_PETSC(MatCreateSeqAIJ(PETSC_COMM_SELF, A.size, A.size, A.size, nullptr, K.out()));
     for (int i = 0; i < A.size; ++i)
-        for (int j = 0; j < A.size; ++j) SOFT_PETSC(MatSetValue(K, i, j, A.at(i, j), INSERT_VALUES));
+        for (int j = 0; j < A.size; ++j)
+            if (zeros == Zeros::keep || i == j || A.at(i, j) != 0.0 || A.at(j, i) != 0.0)
+                SOFT_PETSC(MatSetValue(K, i, j, A.at(i, j), INSERT_VALUES));
     assemble(K);
     return K;
 }
@@ -92,6 +97,42 @@ TEST(Multifrontal, ReadsOnlyTheEntryInTheRowEliminatedFirst) {  // the rows of a
     Multifrontal factor(sparse(A));
     ASSERT_TRUE(factor.factorize(sparse(other_below)));
     EXPECT_LT(error_of_solve(factor, A), 1e-13);
+}
+
+/// A, and an unsymmetric part between some unknowns far apart.
+SmallMatrix with_unsymmetric_part(SmallMatrix A, const std::vector<PetscInt>& unknowns) {
+    for (const PetscInt i : unknowns)
+        for (const PetscInt j : unknowns) {
+            A.at(static_cast<int>(i), static_cast<int>(j)) += 0.4 * std::sin(1.0 + 3.0 * i + j);
+            if (i == j) A.at(static_cast<int>(i), static_cast<int>(j)) += 2.0;
+        }
+    return A;
+}
+
+TEST(Multifrontal, SolvesWithBothTrianglesOfTheLastUnknowns) {
+    const std::vector<PetscInt> last{1, 4, 11};
+    const auto A = with_unsymmetric_part(saddle_point(30, 0, 0.0, 5.0), last);
+    const Matrix K = sparse(A, Zeros::omit);
+    EXPECT_EQ(unsymmetric_unknowns(K), last);
+    Multifrontal factor(K, 1, last), of_one_triangle(K);
+    ASSERT_TRUE(factor.factorize(K) && of_one_triangle.factorize(K));
+    EXPECT_LT(error_of_solve(factor, A), 1e-13);
+    EXPECT_GT(error_of_solve(of_one_triangle, A), 1e-3);
+    EXPECT_EQ(factor.negative_pivots(), 0);
+    auto transposed = A;
+    for (int i = 0; i < A.size; ++i)
+        for (int j = 0; j < A.size; ++j) transposed.at(i, j) = A.at(j, i);
+    factor.set_transposed(true);
+    EXPECT_LT(error_of_solve(factor, transposed), 1e-13);
+    Multifrontal of_one_group(sparse(A), 1, last);  // all unknowns couple: each is in the group of the last ones
+    ASSERT_TRUE(of_one_group.factorize(sparse(A)));
+    EXPECT_LT(error_of_solve(of_one_group, A), 1e-13);
+}
+
+TEST(Multifrontal, FindsNoUnsymmetricUnknownsInRounding) {
+    auto A = saddle_point(12, 4, 0.1, 5.0);
+    A.at(3, 4) *= 1.0 + 1e-13;
+    EXPECT_TRUE(unsymmetric_unknowns(sparse(A)).empty());
 }
 
 TEST(Multifrontal, FailsForAMatrixWithoutPivots) {
