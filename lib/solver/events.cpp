@@ -21,14 +21,17 @@ constexpr double bifurcation_tolerance = 1e-6;
 constexpr int bifurcation_solves = 30;
 /// Inverse iterations for the mode: the eigenvalue that passes through zero is by far the smallest there.
 constexpr int mode_iterations = 3;
-/// Fractions of the step: distance before and after a bifurcation at which its eigenvalue is checked.
-constexpr double beside_bifurcation = 0.05, min_beside = 1e-6;
+/// Fractions of the step: distance before and after a bifurcation at which its eigenvalue is checked; where another one is smaller there,
+/// closer to it.
+constexpr double beside_bifurcation = 0.05, min_beside = 1e-6, closer_beside = 0.1;
 /// Smallest cosine between the mode at the bifurcation and on either side.
 constexpr double same_mode = 0.9;
-/// Fraction of the distance between the rows on both sides: states farther apart than this belong to two branches.
-constexpr double apart = 0.05;
-/// The step in which contact occurs is halved this many times: where the path ends there, and where a row follows.
-constexpr int contact_halvings = 8, first_contact_halvings = 12;
+/// Fraction of the distance between the rows on both sides: states farther apart than this belong to two branches, or the search between
+/// them has failed.
+constexpr double apart = 1e-3;
+/// The step in which contact occurs is halved this many times: where the path ends there (more if it begins just beyond the last row), and
+/// where a row follows.
+constexpr int contact_halvings = 12, most_contact_halvings = 40, first_contact_halvings = 12;
 /// Of the resolution of the first contact: the distance from it of the states that are solved for.
 constexpr double beside_contact = 0.4;
 
@@ -118,32 +121,42 @@ std::optional<PathPoint> locate_extremum(Corrector& corrector, const PathState& 
     return std::nullopt;
 }
 
+/// The smallest eigenvalue at q between the ends of a bracket, if its mode is `mode`.
+std::optional<double> eigenvalue_at(Corrector& corrector, const PathState& path, const Bracket& bracket, double q,
+                                    Vec mode) {
+    const auto point = corrector.solve_between(frame_of(path), bracket.from, bracket.to, q);
+    linalg::Vector b = copy_of(mode);
+    std::optional<double> eigenvalue;
+    for (int i = 0; point && i < 2 * mode_iterations; ++i) {
+        auto next = iterate_inverse(corrector.newton(), b);
+        if (!next) break;
+        eigenvalue = next->eigenvalue;
+        b = std::move(next->v);
+    }
+    if (std::abs(linalg::dot(b, mode)) < same_mode) return std::nullopt;
+    return eigenvalue;
+}
+
 /// Why a change of the count of negative pivots over a bracket is no bifurcation: a count also changes by rounding, and where the
 /// corrector has converged to another branch. Empty where the eigenvalue of the mode has opposite signs on both sides.
 std::string check_bifurcation(Corrector& corrector, const PathState& path, const Bracket& bracket,
                               const std::optional<linalg::Vector>& mode) {
     const PathPoint &from = bracket.from, &to = bracket.to;
     const double gap = distance(bracket.low().state.x, bracket.high().state.x);
-    if (gap > apart * distance(from.state.x, to.state.x)) return "the states on both sides belong to two branches";
+    if (gap > apart * distance(from.state.x, to.state.x))
+        return "it is not located: the states found on both sides lie apart";
     if (!mode) return "no mode is found";
     const double span = to.q - from.q, at = 0.5 * (bracket.low().q + bracket.high().q);
     std::optional<double> before;
     for (const double side : {-1.0, 1.0}) {
         const double distance_to_end = std::abs(side < 0.0 ? at - from.q : to.q - at);
-        const double away = std::min(beside_bifurcation * std::abs(span), 0.5 * distance_to_end);
+        double away = std::min(beside_bifurcation * std::abs(span), 0.5 * distance_to_end);
         // A change arbitrarily close to a row means that the count at the row itself is different.
         if (away < min_beside * std::abs(span)) return "only at a row itself, where no eigenvalue passes through zero";
-        const auto point = corrector.solve_between(frame_of(path), from, to, at + side * std::copysign(away, span));
-        linalg::Vector b = copy_of(*mode);
         std::optional<double> eigenvalue;
-        for (int i = 0; point && i < 2 * mode_iterations; ++i) {
-            auto next = iterate_inverse(corrector.newton(), b);
-            if (!next) break;
-            eigenvalue = next->eigenvalue;
-            b = std::move(next->v);
-        }
-        if (!eigenvalue || std::abs(linalg::dot(b, *mode)) < same_mode)
-            return "the smallest eigenvalue has another mode there";
+        for (; away >= min_beside * std::abs(span) && !eigenvalue; away *= closer_beside)
+            eigenvalue = eigenvalue_at(corrector, path, bracket, at + side * std::copysign(away, span), *mode);
+        if (!eigenvalue) return "the smallest eigenvalue has another mode there";
         if (before && *before * *eigenvalue > 0.0) return "no eigenvalue passes through zero";
         before = eigenvalue;
     }
@@ -283,8 +296,8 @@ std::optional<ContactEvent> find_contact(Corrector& corrector, const PathState& 
     if (!touching) return std::nullopt;
     listeners.report("contact before row " + std::to_string(path.rows) + ": locating its onset");
     double free_q = path.last->q, touching_q = point.q;
-    std::optional<PathPoint> free;
-    for (int i = 0; i < contact_halvings; ++i) {
+    std::optional<PathPoint> free;  // the walls may touch just beyond the last row
+    for (int i = 0; i < contact_halvings || (!free && i < most_contact_halvings); ++i) {
         const double q = 0.5 * (free_q + touching_q);
         auto middle = corrector.solve_between(frame_of(path), *path.last, point, q);
         if (!middle) break;

@@ -62,6 +62,12 @@ void scale(PathTangent& tangent, double factor) {
     for (double& pressure : tangent.pressures) pressure *= factor;
 }
 
+void add(PathTangent& to, double factor, const PathTangent& term) {
+    linalg::add(to.x, factor, term.x);
+    to.load_factor += factor * term.load_factor;
+    for (std::size_t k = 0; k < to.pressures.size(); ++k) to.pressures[k] += factor * term.pressures[k];
+}
+
 /// Where fibres become slack or taut, or surfaces slide or stick, K jumps and |R| may rise along a sequence of full steps that converges in the end (Newton's
 /// method for semismooth equations: Qi and Sun, Math. Programming 58 (1993) 353). Full steps are tried before the correction fails.
 NewtonResult Newton::correct(const Constraint& constraint, double target, State& state) {

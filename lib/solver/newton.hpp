@@ -56,6 +56,8 @@ struct PathTangent {
 
 /// Multiplies everything per unit of the path parameter by `factor`.
 void scale(PathTangent& tangent, double factor);
+/// to += factor x term, of the unknowns, the load factor and the pressures
+void add(PathTangent& to, double factor, const PathTangent& term);
 
 class Newton {
 public:
@@ -79,7 +81,8 @@ public:
     /// R at the state of the last tangent(); not on a path in time with viscoelastic rubber.
     [[nodiscard]] Vec residual() const noexcept { return bordered_.R; }
 
-    /// M^-1 (b, rows, 0) with the bordered matrix M of the state and constraint of the last tangent(); `rows`: of the supplies, empty: 0.
+    /// M^-1 (b, rows) with the bordered matrix M of the state and constraint of the last tangent() or evaluate_rows(); `rows`: of the
+    /// supplies and the constraint, those that are left out are 0.
     [[nodiscard]] std::optional<PathTangent> bordered_solve(Vec b, std::span<const double> rows = {});
 
     /// The functional (by_x . x + by_loads . (p, lambda)) of M^-1 (b, rows, 0) as psi . b + mu . rows. nullopt where
@@ -89,6 +92,20 @@ public:
         std::vector<double> mu;  ///< of the supplies
     };
     [[nodiscard]] std::optional<Adjoint> adjoint_solve(Vec by_x, std::span<const double> by_loads);
+
+    /// Changes the constraint of M, at the state of the last tangent().
+    void evaluate_rows(const Constraint& constraint, const State& state);
+
+    /// What a state misses of equilibrium and the constraint, (-R, -e_k, target - c); nullopt where cells are inverted. Keeps K and its
+    /// columns; evaluate_rows() restores the rest of M. Prescribes the motions of the state.
+    struct Miss {
+        linalg::Vector R;
+        std::vector<double> rows;
+    };
+    [[nodiscard]] std::optional<Miss> miss(const Constraint& constraint, double target, const State& state);
+
+    /// Rounding error of R in the undeformed body, in units of the path parameter: relative to the forces of the tangent's loads.
+    [[nodiscard]] double rounding_of_loads(const PathTangent& tangent) const;
 
     /// Negative pivots of K in excess of one per pressure unknown at the last tangent(), to which the next one is compared. A path
     /// that is resumed sets it.
@@ -141,6 +158,8 @@ private:
     /// Solves for the columns at the state of the last evaluation, with the last factor or, if that is not accurate enough, a new one.
     [[nodiscard]] std::optional<NewtonEnd> solve_tangent_columns();
     [[nodiscard]] linalg::LinearSolve solve_accurately(Vec b, Vec x, linalg::SolveSettings how);
+    [[nodiscard]] std::optional<PathTangent> eliminate(Vec b, std::span<const double> rows);
+    [[nodiscard]] std::optional<Adjoint> eliminate_transposed(Vec by_x, std::vector<double> by_border);
     [[nodiscard]] std::optional<int> unstable_modes();
     /// Negative pivots of K in excess of one per pressure unknown, after the check against the sign of the determinant.
     [[nodiscard]] std::optional<int> excess_pivots();
@@ -151,6 +170,7 @@ private:
     double residual_at_factor_ = 0;  // |R| where the factor was computed
     bool linear_limit_met_ = false;  // in the last iteration
     NewtonEnd tangent_end_ = NewtonEnd::converged;
+    bool loses_digits_ = false;  // K^-1 at the last tangent
     int confirmed_pivots_ = 0;   // excess_pivots() of the tangent before
     linalg::Vector correction_;  // a, then dx
     SecantUpdates updates_;

@@ -13,6 +13,8 @@ namespace {
 constexpr int max_iterations_with_recent_factor = 5, max_iterations_from_recent_columns = 3;
 /// How often a Krylov method may reach its iteration limit for the path tangent, which must be accurate.
 constexpr int rounds_for_a_direction = 10;
+/// Motion of the tangent by the whole load, relative to the state, from which on a solve with K alone loses digits: next to a limit point.
+constexpr double soft_response = 1e3;
 /// A difference below this fraction of its terms is within the linear solver's tolerance.
 constexpr double of_differences = 1e-6;
 
@@ -103,6 +105,8 @@ std::optional<PathTangent> Newton::tangent(const Constraint& constraint, const S
     tangent.x = linalg::duplicate(bordered_.R);
     for (std::size_t j = 0; j < rates->size(); ++j) linalg::add(tangent.x, (*rates)[j], bordered_.columns[j]);
     tangent.load_factor = rates->back();
+    loses_digits_ =
+        std::abs(state.load_factor) * linalg::norm(bordered_.columns.back()) > soft_response * linalg::norm(state.x);
     rates->pop_back();
     tangent.pressures = std::move(*rates);
     tangent.unstable_modes = unstable_modes();
@@ -137,7 +141,26 @@ std::optional<int> Newton::unstable_modes() {
     return bordered_.factor.negative_pivots ? *modes - freed : (*modes + freed) % 2;
 }
 
+/// Near a limit point K^-1 is large: one step of iterative refinement with M returns the digits that cancel.
 std::optional<PathTangent> Newton::bordered_solve(Vec b, std::span<const double> rows) {
+    auto solution = eliminate(b, rows);
+    if (!solution || !loses_digits_ || bordered_.uses_differences()) return solution;
+    const linalg::Vector left = linalg::duplicate(b);
+    SOFT_PETSC(MatMult(bordered_.K, solution->x, left));
+    SOFT_PETSC(VecAYPX(left, -1.0, b));
+    std::vector<double> border = solution->pressures, missing = bordered_.rows_times(solution->x);
+    border.push_back(solution->load_factor);
+    for (std::size_t i = 0; i < missing.size(); ++i) {
+        missing[i] = (i < rows.size() ? rows[i] : 0.0) - missing[i];
+        for (std::size_t j = 0; j < border.size(); ++j)
+            missing[i] -= bordered_.by_loads.at(static_cast<int>(i), static_cast<int>(j)) * border[j];
+        linalg::add(left, border[i], bordered_.forces[i].out);
+    }
+    if (const auto rest = eliminate(left, missing)) add(*solution, 1.0, *rest);
+    return solution;
+}
+
+std::optional<PathTangent> Newton::eliminate(Vec b, std::span<const double> rows) {
     PathTangent solution{linalg::duplicate(b), 0, {}, {}, 0};
     if (!solve_accurately(b, solution.x, {.factor = linalg::Factor::stale}).converged) return std::nullopt;
     auto missing = bordered_.rows_times(solution.x);
@@ -151,21 +174,68 @@ std::optional<PathTangent> Newton::bordered_solve(Vec b, std::span<const double>
     return solution;
 }
 
-/// M = [[K, -F], [rows, D]]; with the border S = D + rows C and C = K^-1 F, M^-1 (b, r) is x = K^-1 b + C l, S l = r - rows K^-1 b.
+void Newton::evaluate_rows(const Constraint& constraint, const State& state) {
+    bordered_.system.prescribe(bordered_.loads().levels(state.load_factor, state.pressures_Pa));
+    bordered_.evaluate_rows(constraint, state);
+    bordered_.fill_border();
+}
+
+std::optional<Newton::Miss> Newton::miss(const Constraint& constraint, double target, const State& state) {
+    bordered_.forget_assembly();
+    const auto levels = bordered_.loads().levels(state.load_factor, state.pressures_Pa);
+    if (!bordered_.system.evaluate(state.x, levels, bordered_.R, nullptr).admissible()) return std::nullopt;
+    Miss miss{copy_of(bordered_.R), {}};
+    SOFT_PETSC(VecScale(miss.R, -1.0));
+    bordered_.evaluate_rows(constraint, state);
+    for (const auto& equation : bordered_.supply) miss.rows.push_back(-equation.value);
+    miss.rows.push_back(remaining(constraint, bordered_.system.input(), target, bordered_.constraint.value));
+    return miss;
+}
+
+double Newton::rounding_of_loads(const PathTangent& tangent) const {
+    double force = std::abs(tangent.load_factor) * linalg::norm(bordered_.forces.back().out);
+    for (std::size_t k = 0; k < tangent.pressures.size(); ++k)
+        force += std::abs(tangent.pressures[k]) * linalg::norm(bordered_.forces[k].out);
+    return rounding_N_ / force;
+}
+
 std::optional<Newton::Adjoint> Newton::adjoint_solve(Vec by_x, std::span<const double> by_loads) {
+    if (bordered_.uses_differences()) return std::nullopt;
+    std::vector<double> wanted(by_loads.begin(), by_loads.end());
+    wanted.resize(static_cast<std::size_t>(bordered_.border.size), 0.0);
+    auto adjoint = eliminate_transposed(by_x, wanted);
+    if (adjoint && loses_digits_) {
+        const linalg::Vector left = linalg::duplicate(by_x);
+        SOFT_PETSC(MatMultTranspose(bordered_.K, adjoint->psi, left));
+        SOFT_PETSC(VecAYPX(left, -1.0, by_x));
+        bordered_.subtract_rows(adjoint->mu, left);
+        for (std::size_t j = 0; j < wanted.size(); ++j) {
+            wanted[j] += linalg::dot(bordered_.forces[j].out, adjoint->psi);
+            for (std::size_t i = 0; i < wanted.size(); ++i)
+                wanted[j] -= bordered_.by_loads.at(static_cast<int>(i), static_cast<int>(j)) * adjoint->mu[i];
+        }
+        if (const auto rest = eliminate_transposed(left, wanted)) {
+            linalg::add(adjoint->psi, 1.0, rest->psi);
+            for (std::size_t i = 0; i < wanted.size(); ++i) adjoint->mu[i] += rest->mu[i];
+        }
+    }
+    if (adjoint) adjoint->mu.pop_back();
+    return adjoint;
+}
+
+/// M = [[K, -F], [rows, D]]; with the border S = D + rows C and C = K^-1 F, M^-1 (b, r) is x = K^-1 b + C l, S l = r - rows K^-1 b.
+std::optional<Newton::Adjoint> Newton::eliminate_transposed(Vec by_x, std::vector<double> by_border) {
     const int n = bordered_.border.size;
     linalg::SmallMatrix transposed(n);
-    std::vector<double> by_border(by_loads.begin(), by_loads.end());
     for (int i = 0; i < n; ++i) {
         by_border[static_cast<std::size_t>(i)] += linalg::dot(by_x, bordered_.columns[static_cast<std::size_t>(i)]);
         for (int j = 0; j < n; ++j) transposed.at(i, j) = bordered_.border.at(j, i);
     }
     auto mu = linalg::solve(transposed, by_border);
-    if (!mu || bordered_.uses_differences()) return std::nullopt;
+    if (!mu) return std::nullopt;
     const linalg::Vector rest = copy_of(by_x);
     bordered_.subtract_rows(*mu, rest);
     Adjoint adjoint{linalg::duplicate(by_x), std::move(*mu)};
-    adjoint.mu.pop_back();
     if (!bordered_.linear.solve_transposed(rest, adjoint.psi).converged) return std::nullopt;
     return adjoint;
 }

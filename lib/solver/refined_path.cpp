@@ -16,7 +16,7 @@ constexpr double meets_goal = 5e-3;
 constexpr double max_growth = 2;
 
 /// The most parts in which a row is approached from the one before.
-constexpr int max_parts = 16;
+constexpr int max_parts = 64;
 
 }  // namespace
 

@@ -1,12 +1,19 @@
 #include "solver/row_state.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <tuple>
 
 namespace soft::solver {
 
 namespace {
+
+/// Lobatto's rule with five points on [0, 1], exact up to degree 7 (Abramowitz and Stegun, Handbook of Mathematical Functions, table 25.6).
+constexpr double inner_point = 0.17267316464601142;  // (1 - sqrt(3/7)) / 2
+constexpr std::array<std::pair<double, double>, 5> lobatto_points{
+    {{0.0, 0.05}, {inner_point, 49.0 / 180}, {0.5, 64.0 / 180}, {1.0 - inner_point, 49.0 / 180}, {1.0, 0.05}}};
 
 /// The first traction from levels, or its slope from their slopes.
 double first_traction_Pa(const model::Case& input, const LoadLevels& levels) {
@@ -161,7 +168,8 @@ void let_contact_rest(fem::System& system, const PathPoint& a, const PathPoint& 
 }
 
 double work_between(fem::System& system, const PathPoint& from, const PathPoint& to, FromTangent of_from) {
-    const linalg::Vector change = linalg::duplicate(to.state.x), middle = linalg::duplicate(to.state.x);
+    const linalg::Vector change = linalg::duplicate(to.state.x), place = linalg::duplicate(to.state.x);
+    const linalg::Vector velocity = linalg::duplicate(to.state.x);
     const linalg::Vector start = linalg::duplicate(to.state.x), end = linalg::duplicate(to.state.x);
     SOFT_PETSC(VecWAXPY(change, -1.0, from.state.x, to.state.x));
     const double length = linalg::norm(change);
@@ -184,22 +192,30 @@ double work_between(fem::System& system, const PathPoint& from, const PathPoint&
         linalg::add(start, 1.0, change);
         start_rate = difference(fem::moved(turn, 1.0, turn), end_rate);
     }
-    linalg::copy(from.state.x, middle);
-    linalg::add(middle, 0.5, change);
-    linalg::add(middle, 0.125, start);
-    linalg::add(middle, -0.125, end);
-    LoadLevels levels = fem::moved(from.levels, 0.5, turn), rate = fem::moved(fem::no_loads(system.input()), 1.5, turn);
-    levels = fem::moved(fem::moved(levels, 0.125, start_rate), -0.125, end_rate);
-    rate = fem::moved(fem::moved(rate, -0.25, start_rate), -0.25, end_rate);
-    const double at_start = system.assembler().load_power(from.state.x, start, from.levels, start_rate);
-    const double at_end = system.assembler().load_power(to.state.x, end, to.levels, end_rate);
-    SOFT_PETSC(VecScale(change, 1.5));  // now the velocity in the middle
-    linalg::add(change, -0.25, start);
-    linalg::add(change, -0.25, end);
-    const double in_middle = system.assembler().load_power(middle, change, levels, rate);
+    const auto power_at = [&](double s) {  // on the cubic
+        const double to_start = s * (1.0 - s) * (1.0 - s), to_end = s * s * (s - 1.0), way = s * s * (3.0 - 2.0 * s);
+        const double by_start = (1.0 - s) * (1.0 - 3.0 * s), by_end = s * (3.0 * s - 2.0), speed = 6.0 * s * (1.0 - s);
+        linalg::copy(from.state.x, place);
+        SOFT_PETSC(VecZeroEntries(velocity));
+        for (const auto& [direction, length, rate] :
+             {std::tuple{Vec(change), way, speed}, {Vec(start), to_start, by_start}, {Vec(end), to_end, by_end}}) {
+            linalg::add(place, length, direction);
+            linalg::add(velocity, rate, direction);
+        }
+        LoadLevels levels = from.levels, rate = fem::no_loads(system.input());
+        for (const auto& [direction, length, speed_along] :
+             {std::tuple{&turn, way, speed}, {&start_rate, to_start, by_start}, {&end_rate, to_end, by_end}}) {
+            levels = fem::moved(levels, length, *direction);
+            rate = fem::moved(rate, speed_along, *direction);
+        }
+        return system.assembler().load_power(place, velocity, levels, rate);
+    };
+    double work = 0;
+    for (const auto& [s, weight] : lobatto_points) work += weight * power_at(s);
+    if (!std::isfinite(work))
+        work = 0.5 * (power_at(0.0) + power_at(1.0));  // forces overflow inside of a far too long step
     system.prescribe(to.levels);
-    // At the middle of a step that is far too long the forces may overflow.
-    return std::isfinite(in_middle) ? (at_start + 4.0 * in_middle + at_end) / 6.0 : 0.5 * (at_start + at_end);
+    return work;
 }
 
 RowState row_state(fem::System& system, const PathPoint& point, double direction, model::Step step) {

@@ -45,7 +45,7 @@ enum class FromTangent { along_the_path, of_another_stage };
 /// Lets contact rest where neither point touches anything (Corrector::solve_at).
 void let_contact_rest(fem::System& system, const PathPoint& a, const PathPoint& b);
 
-/// Work of the loads [J], modelled part, between two points whose values have been read: Simpson's rule of the power along
+/// Work of the loads [J], modelled part, between two points whose values have been read: Lobatto's rule of the power along
 /// the cubic with both tangents; its error falls with the fourth power of the step. Prescribes the motions of `to`.
 /// Tested by solver/work_test.
 [[nodiscard]] double work_between(fem::System& system, const PathPoint& from, const PathPoint& to, FromTangent of_from);

@@ -46,12 +46,6 @@ StageStart combine(StageStart a, const StageStart& b, const auto& function) {
 }
 
 /// direction += factor x other
-void add(PathTangent& direction, double factor, const PathTangent& other) {
-    linalg::add(direction.x, factor, other.x);
-    direction.load_factor += factor * other.load_factor;
-    for (std::size_t k = 0; k < direction.pressures.size(); ++k) direction.pressures[k] += factor * other.pressures[k];
-}
-
 std::vector<double> quotient(const std::vector<double>& after, const std::vector<double>& before, double change) {
     std::vector<double> slopes;
     for (std::size_t i = 0; i < after.size(); ++i) slopes.push_back((after[i] - before[i]) / change);
