@@ -80,7 +80,9 @@ Settings<Solver> step_settings() {
                {{"cubic", Predictor::cubic}, {"tangent", Predictor::tangent}, {"none", Predictor::none}},
                "start of a step: on the cubic through the last two states, on the tangent at the last state, or at "
                "the last state"),
-        number("first_step", &Solver::first_step, share, "first step as a share of the full load"),
+        number(
+            "first_step", &Solver::first_step, share,
+            "first step as a share of the full load; error-adaptive: up to 25 times as long where the path is smooth"),
         number("max_step", &Solver::max_step, {0, 1},
                "maximum step as a share of the path so far; 0: chosen by the solver"),
         number("min_step", &Solver::min_step, share,

@@ -139,7 +139,7 @@ void PathFollower::step() {
     if (shorten_for_time(system_, path_, late, *point))
         return report_row("step of " + short_text(taken) + " has " + short_text(*late) +
                           " times the error in time allowed: repeated with a shorter step");
-    if (touch && is_first_try(system_, path_, taken)) path_.first_step = round_step_size(taken);
+    if (touch && is_first_try(system_, path_, taken)) reduce_first_step(path_, round_step_size(taken));
     path_.attempts = {};
     report_row(describe(*point) + row_text(*point, error, corrector_.last_result().iterations));
 
@@ -180,7 +180,7 @@ std::optional<PathPoint> PathFollower::solve_step(Aim& aim, std::optional<Event>
         if (!point || !corrector_.wake_contact_if_met(frame, *point)) return point;
         touch = first_contact_before(*point, corrector_, path_, WithContact::no);
         if (touch) {
-            aim = Aim{.straight = aim.straight};
+            aim = Aim{.straight = aim.straight, .by_series = aim.by_series};
             aim.forecast = predict(aim.straight ? nullptr : &*path_.before, *path_.last, touch->point.q);
             return std::move(touch->point);
         }
@@ -282,7 +282,7 @@ void PathFollower::recover() {
                    ? path_.attempts.crossing->text + ", and walls pass through each other: step cut to " +
                          short_text(path_.step)
                    : attempt_text(failed, path_.step, attempt));
-    if (is_first_try(system_, path_, path_.step)) path_.first_step = path_.step;
+    if (is_first_try(system_, path_, path_.step)) reduce_first_step(path_, path_.step);
     const double share = std::abs(path_.step / path_.first_step) / input_.solver.min_step;
     const bool too_short = share < 1.0;
     const bool may_be_kink = may_have_kinks(system_, *path_.last) && attempt.end != NewtonEnd::not_finite &&

@@ -1,5 +1,6 @@
 #pragma once
 /// A path in progress, as plain data: what the parts of follow_path (path_follower.hpp) pass to each other. Internal to the module.
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,7 +64,9 @@ struct PathState {
     /// Whether the load falls along the direction of travel.
     [[nodiscard]] bool load_falls(const PathPoint& point) const { return point.tangent.load_factor * step < 0.0; }
     /// The first step of a stage starts at rest, or where another stage has ended.
-    [[nodiscard]] bool begins_stage() const { return rows <= first_row + 1; }
+    [[nodiscard]] bool begins_stage() const {
+        return rows <= std::max(first_row, 1);
+    }  // of the first stage, row 0 is recorded
 };
 
 [[nodiscard]] inline const model::Stage& stage_of(const model::Case& input, const PathState& path) {

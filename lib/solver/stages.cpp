@@ -8,6 +8,7 @@
 #include "solver/kink.hpp"
 #include "solver/path_end.hpp"
 #include "solver/row_state.hpp"
+#include "solver/series.hpp"
 #include "solver/stepping.hpp"
 
 namespace soft::solver {
@@ -18,6 +19,9 @@ namespace {
 
 /// First step of a stage in time, of the shortest relaxation time: its error is not known before the second one.
 constexpr double first_share = 0.05;
+/// Distance at which the terms of the path's series are found, as a fraction of the stage's loads in the linear response; and the bound of
+/// the first step, in first steps of the settings.
+constexpr double series_share = 0.02, longest_first_step = 25.0;
 
 /// The state without a direction, for a path that ends at its start.
 PathPoint point_without_direction(fem::System& system, const StageLoads& loads, State state) {
@@ -25,6 +29,23 @@ PathPoint point_without_direction(fem::System& system, const StageLoads& loads, 
     PathPoint point{std::move(state), std::move(none)};
     read_values(system, loads, nullptr, point);
     return point;
+}
+
+/// A longer first step, and a point behind the start that predicts it, where the path is smooth. A body
+/// follows a face that is moved in nearly straight lines, although the forces do not. `full`: the stage's loads in the linear
+/// response, of q, signed.
+void use_series(Corrector& corrector, PathState& path, const PathPoint& start, double full) {
+    const fem::System& system = corrector.system();
+    const model::SolverSettings& settings = system.input().solver;
+    if (settings.steps != model::StepRule::error_adaptive || settings.predictor == model::Predictor::tangent ||
+        stage_of(system.input(), path).time_s || may_have_kinks(system, start) || system.contact().has_friction() ||
+        std::ranges::any_of(path.loads->rate().motions, [](double rate) { return rate != 0.0; }))
+        return;
+    const double share = std::min(longest_first_step * settings.first_step, 1.0);
+    auto series = series_at(corrector, path, start, std::min(series_share, share) * full, share * std::abs(full));
+    if (!series) return;
+    path.before = std::move(series->behind);
+    if (std::abs(series->reach) > std::abs(path.step)) path.step = round_step_size(series->reach);
 }
 
 }  // namespace
@@ -85,6 +106,7 @@ std::optional<Stop> begin_stage(Corrector& corrector, PathState& path, State sta
     if (loads.changes()) rescale(system, loads, point, 1.0 / slope);
     point.q = controlled_value(path.control, point, 0.0);
     point.load_work_J = path.work_before_J;
+    if (loads.changes()) use_series(corrector, path, point, (by_arc ? 1.0 : sense) * slope);
     path.last = std::move(point);
     return std::nullopt;
 }
@@ -102,7 +124,7 @@ State next_stage(Corrector& corrector, PathState& path) {
 
 int last_row_of_stage(const PathState& path, const model::Case& input) {
     for (const auto& until : stage_of(input, path).until)
-        if (until.quantity == "steps") return path.first_row + static_cast<int>(until.value);
+        if (until.quantity == "steps") return std::max(path.first_row, 1) - 1 + static_cast<int>(until.value);
     return input.solver.step_limit * input.path.cycles;
 }
 

@@ -14,8 +14,13 @@ namespace {
 /// converged to another branch.
 constexpr double predictor_error_limit = 0.5;
 /// A step along the tangent alone is repeated where the square of its error, an estimate of the error of the curve between its
-/// rows, exceeds this multiple of step_accuracy; in contact, where the curve may bend suddenly, also one along the cubic.
+/// rows, exceeds this multiple of step_accuracy, and one along a Taylor polynomial where its estimate does; in contact, where the curve may bend suddenly, also one along the cubic.
 constexpr double coarse_curve = 2.0;
+/// Error of the cubic beyond the first row, in a step as long as the first, of that of the Taylor polynomial at this row: 4 for a term of
+/// fourth order alone, as measured for loads; 0.3 to 2.2 measured for states of bellows and fingers.
+constexpr double state_after_series = 1.5, load_after_series = 4.0;
+/// Error of the cubic between two rows, of that of the Taylor polynomial at the first of them.
+constexpr double between_rows = 1.0 / 16.0;
 /// Below this predictor error the state belongs to the same branch.
 constexpr double predictor_error_without_jump = 0.05;
 /// In contact, or with fibres, other branches are closer. Up to this error a change of the inertia is a bifurcation: refusing it would let the
@@ -56,6 +61,10 @@ constexpr double motionless = 1e-7;
 constexpr double negligible_error = 1e-3;
 /// Value of a negligible error in units of step_accuracy, so that the next step is slightly longer.
 constexpr double accepted_share = 0.5;
+/// A goal beyond the end of a step is aimed at if it is this fraction of the step away, instead of a last short step.
+constexpr double last_stretch = 0.3;
+/// A repeated step, 0.9 of what its error allows, must not reach the same goal again.
+static_assert(0.9 * (1.0 + last_stretch) < 1.25 && rejected_in_time >= 2.0 && coarse_curve >= 2.0);
 /// A fraction of a step that counts as rounding: far above the rounding of sums, far below any step.
 constexpr double sliver = 1e-6;
 
@@ -91,8 +100,11 @@ Aim aim_of(const PathState& path, Corrector& corrector) {
     const PathPoint *before = straight ? nullptr : &*path.before, &last = *path.last;
     const double end = next_q(path, constant);
     // With constant steps, rounding must not leave a tiny step before a goal that lies on the grid.
-    const double reach = constant ? end + sliver * (end - last.q) : end;
-    Aim aim{.crossing = first_predicted(path.goals, before, last, reach), .straight = straight};
+    const bool free = settings.steps == model::StepRule::error_adaptive && settings.max_step == 0.0 && !last.touches;
+    const double reach = end + (constant ? sliver : free ? last_stretch : 0.0) * (end - last.q);
+    Aim aim{.crossing = first_predicted(path.goals, before, last, reach),
+            .straight = straight,
+            .by_series = !straight && path.begins_stage()};
     aim.forecast = predict(before, last, aim.crossing ? aim.crossing->q : end);
     aim.constraint = aim.crossing ? aim.crossing->goal->constraint : bind(path.control, last);
     aim.target = aim.crossing ? aim.crossing->goal->target : end;
@@ -158,15 +170,17 @@ bool shorten_for_the_curve(const fem::System& system, PathState& path, const Aim
     const double taken = point.q - path.last->q;
     const model::SolverSettings& settings = system.input().solver;
     const bool squared = aim.straight && settings.predictor != model::Predictor::tangent;
-    if (settings.steps != model::StepRule::error_adaptive || (!squared && !path.last->touches && !point.touches))
+    if (settings.steps != model::StepRule::error_adaptive ||
+        (!squared && !aim.by_series && !path.last->touches && !point.touches))
         return false;
-    const double error = squared ? missed * missed : missed, order = squared ? 2.0 : 3.0;
+    const double error = squared ? missed * missed : aim.by_series && !point.touches ? between_rows * missed : missed;
+    const double order = squared ? 2.0 : 3.0;
     auto& rejected = path.attempts.rejected_curve_error;
     const bool kink = rejected && error > error_at_a_kink * *rejected;
     if (error <= coarse_curve * settings.step_accuracy || kink) return false;
     const double shorter = std::max(0.9 * std::pow(settings.step_accuracy / error, 1.0 / order), min_retake) * taken;
     if (is_first_try(system, path, shorter))
-        path.first_step = round_step_size(shorter);
+        reduce_first_step(path, round_step_size(shorter));
     else if (std::abs(shorter / path.first_step) < settings.min_step)
         return false;
     rejected = error;
@@ -205,6 +219,10 @@ bool is_first_try(const fem::System& system, const PathState& path, double step)
            norm_of_motion(system, motionless * mesh::extent_m(system.input().mesh));
 }
 
+void reduce_first_step(PathState& path, double step) {
+    if (std::abs(step) < std::abs(path.first_step)) path.first_step = step;
+}
+
 double next_step(const model::SolverSettings& settings, const PathState& path, const Aim& aim,
                  const PredictorError& error, const NewtonResult& result) {
     double step = path.last->q - path.before->q;
@@ -217,7 +235,10 @@ double next_step(const model::SolverSettings& settings, const PathState& path, c
             break;
         }
         case model::StepRule::error_adaptive: {
-            double missed = error.larger();
+            double missed =
+                aim.by_series
+                    ? PredictorError{state_after_series * error.state, load_after_series * error.load}.larger()
+                    : error.larger();
             if (error.is_negligible) missed = std::min(missed, accepted_share * settings.step_accuracy);
             const bool by_tangent = settings.predictor == model::Predictor::tangent;
             // After a tangent the next predictor is the cubic: for a series with decreasing terms its error is 4 missed^3.

@@ -15,7 +15,8 @@ inline constexpr double equilibrium_margin = 10.0;
 /// whether or not Newton's method starts from it.
 struct Aim {
     std::optional<Crossing> crossing = {};
-    bool straight = false;  ///< predicted by the tangent, not the cubic
+    bool straight = false;   ///< predicted by the tangent, not the cubic
+    bool by_series = false;  ///< the cubic is the Taylor polynomial at the start of a stage
     State forecast = {};
     Constraint constraint = {};
     double target = 0;
@@ -60,6 +61,9 @@ struct PredictorError {
 /// not tell how much of a step lies beyond the first contact.
 [[nodiscard]] bool shorten_for_the_curve(const fem::System& system, PathState& path, const Aim& aim, double error,
                                          const PathPoint& point);
+
+/// The first step of a stage, to which the shortest one is relative, becomes this one if it is shorter.
+void reduce_first_step(PathState& path, double step);
 
 /// The first step comes from the requested load, which may exceed what the body can carry: it is cut as long as it still moves
 /// the body, by the root mean square of the unknowns.

@@ -39,6 +39,8 @@ model::Case bar(double traction_Pa, int frequencies) {
     input.outputs = {{"elongation", "end", {1, 0, 0}}};
     input.path.stages = {full_load(input, {})};
     input.path.frequencies = frequencies;
+    input.solver.max_step = 0.5;
+    input.solver.first_step = 0.005;
     return input;
 }
 

@@ -180,12 +180,14 @@ TEST(Path, EndsAtTheFirstGoalReached) {
     EXPECT_NEAR(steps.back().outputs[0], 0.002, 1e-12);
     EXPECT_NE(end.detail.find("elongation"), std::string::npos);
     input.path.stages[0].until = {{"steps", 3}};
+    input.solver.first_step = 0.002;
     EXPECT_EQ(run(input).steps.size(), 4u);  // the undeformed state and three steps
 }
 
 TEST(Path, ReportsAStepLimit) {
     auto input = box_case(1, true);
     input.solver.step_limit = 2;
+    input.solver.first_step = 0.002;
     EXPECT_EQ(run(input).end.reason, model::StopReason::step_limit);
 }
 
