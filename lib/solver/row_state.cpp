@@ -197,16 +197,14 @@ double work_between(fem::System& system, const PathPoint& from, const PathPoint&
         const double by_start = (1.0 - s) * (1.0 - 3.0 * s), by_end = s * (3.0 * s - 2.0), speed = 6.0 * s * (1.0 - s);
         linalg::copy(from.state.x, place);
         SOFT_PETSC(VecZeroEntries(velocity));
-        for (const auto& [direction, length, rate] :
-             {std::tuple{Vec(change), way, speed}, {Vec(start), to_start, by_start}, {Vec(end), to_end, by_end}}) {
-            linalg::add(place, length, direction);
-            linalg::add(velocity, rate, direction);
-        }
         LoadLevels levels = from.levels, rate = fem::no_loads(system.input());
-        for (const auto& [direction, length, speed_along] :
-             {std::tuple{&turn, way, speed}, {&start_rate, to_start, by_start}, {&end_rate, to_end, by_end}}) {
-            levels = fem::moved(levels, length, *direction);
-            rate = fem::moved(rate, speed_along, *direction);
+        for (const auto& [x, loads, share, slope] : {std::tuple{Vec(change), &turn, way, speed},
+                                                     {Vec(start), &start_rate, to_start, by_start},
+                                                     {Vec(end), &end_rate, to_end, by_end}}) {
+            linalg::add(place, share, x);
+            linalg::add(velocity, slope, x);
+            levels = fem::moved(levels, share, *loads);
+            rate = fem::moved(rate, slope, *loads);
         }
         return system.assembler().load_power(place, velocity, levels, rate);
     };
