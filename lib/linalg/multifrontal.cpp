@@ -84,24 +84,20 @@ private:
 
 /// Estimate of the largest |eigenvalue| of F^-1 A by the power method, from an arbitrary start; F is a front that is eliminated as a whole,
 /// and A antisymmetric: the eigenvalues are pairs of opposite signs, so that only every second ratio of lengths converges.
-double contraction_of(const Front& front, const std::vector<double>& A) {
-    const auto n = static_cast<std::size_t>(std::llround(std::sqrt(static_cast<double>(A.size()))));
+double contraction_of(const Front& front, const std::vector<double>& A, std::size_t n) {
     std::vector<double> x(n), y(n);
     for (std::size_t i = 0; i < n; ++i) x[i] = std::sin(static_cast<double>(1 + i * i));
-    double ratio = 0, before = 0;
+    double ratio = 0, before = 0, size = std::sqrt(std::inner_product(x.begin(), x.end(), x.begin(), 0.0));
     for (int i = 0; i < power_iterations; ++i) {
         std::ranges::fill(y, 0.0);
         for (std::size_t c = 0; c < n; ++c)
             for (std::size_t r = 0; r < n; ++r) y[r] += A[c * n + r] * x[c];
         front.forward(y);
         front.backward(y);
-        const auto length = [](const std::vector<double>& v) {
-            return std::sqrt(std::inner_product(v.begin(), v.end(), v.begin(), 0.0));
-        };
-        before = std::exchange(ratio, length(y) / length(x));
+        before = std::exchange(ratio, std::sqrt(std::inner_product(y.begin(), y.end(), y.begin(), 0.0)) / size);
         if (!(ratio > 0.0)) return ratio;
-        const double size = length(y);
-        for (std::size_t r = 0; r < n; ++r) x[r] = y[r] / size;
+        for (std::size_t r = 0; r < n; ++r) x[r] = y[r] / (ratio * size);
+        size = 1.0;
     }
     return std::sqrt(before * ratio);
 }
@@ -253,10 +249,7 @@ void Multifrontal::Parts::assemble(const MatrixRows& K, Node& node) {
 /// for the solves, unless the difference is so large that the inertia says little about K, which the iterations of the solver then show.
 bool Multifrontal::Parts::eliminate_unsymmetric(const MatrixRows& K, Node& node) {
     const std::size_t n = node.columns;
-    std::vector<double> full(n * n), difference(n * n);  // of columns
-    for (std::size_t c = 0; c < n; ++c)
-        for (std::size_t r = c; r < n; ++r)
-            full[c * n + r] = full[r * n + c] = node.front.column(static_cast<int>(c))[r];
+    std::vector<double> full(n * n), difference(n * n);              // of columns
     const auto begin = static_cast<std::size_t>(node.rows.front());  // its rows are consecutive
     for (std::size_t r = 0; r < n; ++r) {
         const PetscInt row = unknown[begin + r];
@@ -269,14 +262,15 @@ bool Multifrontal::Parts::eliminate_unsymmetric(const MatrixRows& K, Node& node)
         }
     }
     for (std::size_t c = 0; c < n; ++c)
-        for (std::size_t r = c + 1; r < n; ++r) {  // both entries have the value of the row eliminated first
-            node.front.column(static_cast<int>(c))[r] += difference[c * n + r];
-            full[r * n + c] = node.front.column(static_cast<int>(c))[r] + difference[r * n + c];
-            full[c * n + r] = node.front.column(static_cast<int>(c))[r] + difference[c * n + r];
+        for (std::size_t r = c; r < n; ++r) {  // both entries have the value of the row eliminated first
+            double& mean = node.front.column(static_cast<int>(c))[r];
+            mean += difference[c * n + r];
+            full[r * n + c] = mean + difference[r * n + c];
+            full[c * n + r] = mean + difference[c * n + r];
         }
     node.unsymmetric.reset();
     if (!node.front.eliminate()) return false;
-    if (!(contraction_of(node.front, difference) < largest_contraction)) return true;
+    if (!(contraction_of(node.front, difference, n) < largest_contraction)) return true;
     return node.unsymmetric.emplace(Symmetry::general).factorize(std::move(full), static_cast<int>(n));
 }
 

@@ -27,8 +27,8 @@ public:
     explicit Multifrontal(Mat K, int threads = 1, std::vector<PetscInt> last = {});
     ~Multifrontal() override;
 
-    /// Multiplications and additions of a factorisation; infinite if the factor by groups (elimination_order.hpp) has more entries than an int can count. No other
-    /// function may be called then.
+    /// Multiplications and additions of a factorisation; infinite if the factor by groups (elimination_order.hpp) has more entries than
+    /// an int can count. No other function may be called then.
     [[nodiscard]] double flops() const;
     [[nodiscard]] bool factorize(Mat K) override;
     [[nodiscard]] std::optional<PetscInt> negative_pivots() const override;

@@ -17,7 +17,8 @@ namespace {
 /// Step of differences in time, of the shortest relaxation time or the step; and of the time itself, which has 16 digits.
 constexpr double time_difference = 1e-5, time_digits = 1e-10;
 
-constexpr double largest_unsymmetric_share = 0.02, most_unsymmetric = 1000;
+/// More unknowns than this share, or than this number, are not eliminated last: their front would take longer than the iterations.
+constexpr double share_of_rims = 0.02, most_on_rims = 1000;
 
 model::SolverSettings with_choice(const fem::System& system, model::SolverSettings settings) {
     settings.linear = fem::choose_linear(settings.linear, system.input(), system.dofs().total, symmetry_of(system));
@@ -36,8 +37,7 @@ std::vector<PetscInt> unsymmetric_unknowns(fem::System& system, const model::Sol
     const linalg::Vector R = system.make_vector();
     system.assembler().load_forces(system.make_vector(), levels, R, K);
     auto found = linalg::unsymmetric_unknowns(K);
-    const double most =
-        std::min(most_unsymmetric, largest_unsymmetric_share * static_cast<double>(system.dofs().total));
+    const double most = std::min(most_on_rims, share_of_rims * static_cast<double>(system.dofs().total));
     if (static_cast<double>(found.size()) > most) found.clear();
     return found;
 }
