@@ -32,11 +32,15 @@ double distance(Vec a, Vec b) {
     return linalg::norm(difference);
 }
 
-State moved(const State& from, double length, const PathTangent& direction) {
-    State to = copy_of(from);
+void add(State& to, double length, const PathTangent& direction) {
     linalg::add(to.x, length, direction.x);
     to.load_factor += length * direction.load_factor;
     for (std::size_t k = 0; k < to.pressures_Pa.size(); ++k) to.pressures_Pa[k] += length * direction.pressures[k];
+}
+
+State moved(const State& from, double length, const PathTangent& direction) {
+    State to = copy_of(from);
+    add(to, length, direction);
     return to;
 }
 

@@ -36,6 +36,9 @@ struct PathPoint {
 /// |a - b|
 [[nodiscard]] double distance(Vec a, Vec b);
 
+/// to += length x direction
+void add(State& to, double length, const PathTangent& direction);
+
 /// `from` + `length` x `direction`
 [[nodiscard]] State moved(const State& from, double length, const PathTangent& direction);
 

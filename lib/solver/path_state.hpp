@@ -63,10 +63,10 @@ struct PathState {
     [[nodiscard]] double direction() const { return step < 0.0 ? -1.0 : 1.0; }
     /// Whether the load falls along the direction of travel.
     [[nodiscard]] bool load_falls(const PathPoint& point) const { return point.tangent.load_factor * step < 0.0; }
-    /// The first step of a stage starts at rest, or where another stage has ended.
-    [[nodiscard]] bool begins_stage() const {
-        return rows <= std::max(first_row, 1);
-    }  // of the first stage, row 0 is recorded
+    /// The row that the stage starts from: row 0, or the last one of the stage before.
+    [[nodiscard]] int start_row() const { return std::max(first_row, 1) - 1; }
+    /// Whether the next step is the first one of its stage.
+    [[nodiscard]] bool begins_stage() const { return rows == start_row() + 1; }
 };
 
 [[nodiscard]] inline const model::Stage& stage_of(const model::Case& input, const PathState& path) {

@@ -20,13 +20,6 @@ constexpr double load_weight = 3.0;
 constexpr double most_correction = 3.0, near_enough = 0.6;
 constexpr int estimates = 4;
 
-/// to += length x term
-void add(State& to, double length, const PathTangent& term) {
-    linalg::add(to.x, length, term.x);
-    to.load_factor += length * term.load_factor;
-    for (std::size_t k = 0; k < to.pressures_Pa.size(); ++k) to.pressures_Pa[k] += length * term.pressures[k];
-}
-
 /// What states beside the start miss, less what the start itself misses within its tolerance.
 struct Misses {
     Newton& newton;

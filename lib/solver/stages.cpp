@@ -124,7 +124,7 @@ State next_stage(Corrector& corrector, PathState& path) {
 
 int last_row_of_stage(const PathState& path, const model::Case& input) {
     for (const auto& until : stage_of(input, path).until)
-        if (until.quantity == "steps") return std::max(path.first_row, 1) - 1 + static_cast<int>(until.value);
+        if (until.quantity == "steps") return path.start_row() + static_cast<int>(until.value);
     return input.solver.step_limit * input.path.cycles;
 }
 

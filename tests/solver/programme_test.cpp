@@ -48,6 +48,18 @@ TEST(Programme, TheSameLoadsGiveTheSameStateInAnyOrder) {
     EXPECT_NEAR(back.steps.back().outputs[0], 0.0, 1e-9 * 0.01);
 }
 
+TEST(Programme, EachStageHasItsNumberOfSteps) {
+    auto input = loaded_block();
+    auto more = full_load(input, {2e4});
+    input.path.stages = {full_load(input, {1e4}), more, more};
+    input.solver.first_step = 1e-3;
+    for (std::size_t stage = 0; stage < 3; ++stage)
+        input.path.stages[stage].until = {{"steps", 2.0 + static_cast<double>(stage)}};
+    std::vector<int> rows(3, 0);
+    for (const auto& step : run(input).steps) ++rows[static_cast<std::size_t>(step.stage)];
+    EXPECT_EQ(rows, (std::vector{3, 3, 4}));  // with the undeformed state
+}
+
 TEST(Programme, AnAngleCanBeControlledAndCanBeAGoal) {
     auto input = loaded_block();
     input.dead_loads.clear();
