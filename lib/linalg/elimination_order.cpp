@@ -101,8 +101,8 @@ std::vector<int> Dissection::order(const GroupGraph& graph, const std::vector<in
     if (count == 0) return {};
     std::vector<int> index(graph.size(), -1);
     for (std::size_t k = 0; k < count; ++k) index[static_cast<std::size_t>(kept[k])] = static_cast<int>(k);
-    std::vector<int> begin{0},
-        above;  // neighbours with a higher index, ascending as `kept` is: the lower triangle by columns
+    // Neighbours with a higher index, ascending as `kept` is: the lower triangle by columns.
+    std::vector<int> begin{0}, above;
     for (std::size_t k = 0; k < count; ++k) {
         for (const int other : graph.neighbours(kept[k]))
             if (const int at = index[static_cast<std::size_t>(other)]; at > static_cast<int>(k)) above.push_back(at);

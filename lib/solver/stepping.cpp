@@ -14,7 +14,8 @@ namespace {
 /// converged to another branch.
 constexpr double predictor_error_limit = 0.5;
 /// A step along the tangent alone is repeated where the square of its error, an estimate of the error of the curve between its
-/// rows, exceeds this multiple of step_accuracy, and one along a Taylor polynomial where its estimate does; in contact, where the curve may bend suddenly, also one along the cubic.
+/// rows, exceeds this multiple of step_accuracy, and one along a Taylor polynomial where its estimate does (between_rows); in contact,
+/// where the curve may bend suddenly, also one along the cubic.
 constexpr double coarse_curve = 2.0;
 /// Error of the cubic beyond the first row, in a step as long as the first, of that of the Taylor polynomial at this row: 4 for a term of
 /// fourth order alone, as measured for loads; 0.3 to 2.2 measured for states of bellows and fingers.
