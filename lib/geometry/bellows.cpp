@@ -1,5 +1,6 @@
 /// Bellows: convolutions between two discs; the inlet disc has a bore. The first trough lies at x = -pitch, the last at
 /// x = (convolutions - 1) pitch (the ends of their lands, if any). The end disc behind it is fixed; the inlet moves towards -x.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -21,8 +22,10 @@ struct Counts {
 
 bool is_section(const design::Values& values) { return model_of(values) == Model::axisymmetric; }
 
+/// Largest errors of bend, elongation and volume of seven bending bellows (walls of 1.5 to 3 mm, strips of 72 and 120 degrees, with and
+/// without lands), up to 4 kPa, relative to their fine meshes: normal 0.4 %, draft 5.2 % (6 % with one cell in a bend).
 CellSize cells_of(const BellowsShape& shape, const design::Values& values) {
-    return {values, (is_section(values) ? 0.5 : 1) * shape.wall_m};
+    return {values, (is_section(values) ? 0.5 : 1.5) * shape.wall_m};
 }
 
 Counts counts_of(const BellowsShape& shape, const design::Values& values) {
@@ -36,7 +39,8 @@ Counts counts_of(const BellowsShape& shape, const design::Values& values) {
     const bool is_sharp = shape.fillet_m < 0.25 * shape.wall_m;  // two cells are badly shaped in such a sharp bend
     constexpr int min_through = 3;  // with two cells the bends are 0.6 % too soft for any grading (measured)
     return {.through = size.through(shape.wall_m, is_section(values) || is_sharp ? min_through : 2, min_through),
-            .bend = cells((shape.fillet_m + 0.5 * shape.wall_m) * shape.bend_rad, min_bend),
+            .bend = std::max(is_section(values) ? 1 : min_bend,
+                             cells((shape.fillet_m + 0.5 * shape.wall_m) * shape.bend_rad, min_bend)),
             .straight = cells(shape.straight_m / straight_stretch),
             .crest_land = cells(shape.crest_land_m),
             .trough_land = cells(shape.trough_land_m),

@@ -94,12 +94,21 @@ std::vector<std::string> too_few_through_ring(const CellSize& size, double inner
     return size.too_few(through.cells, static_cast<int>(std::ceil((outer_m / inner_m - 1) / max_ratio)));
 }
 
-int sectors(const design::Values& values) {
-    constexpr const char *path = "mesh.sectors", *strip = "geometry.strip.angle";
-    if (const int stated = values.count(path); stated > 0) return stated;
+meshing::Sectors sectors(const design::Values& values) {
+    constexpr double quarter_rad = 0.5 * std::numbers::pi;
+    const int stated = values.count("mesh.sectors");
     const double factor = quality_factor(values);
-    if (values.has(strip) && values.number(strip) > 0) return factor > 1 ? 10 : 5;
-    return factor > 1 ? 8 : factor < 1 ? 3 : 5;
+    if (!values.has("geometry.strip.angle") || values.number("geometry.strip.angle") == 0)
+        return meshing::Sectors::even(stated > 0 ? stated : factor > 1 ? 8 : factor < 1 ? 3 : 5);
+    const double max_rad = (factor > 1 ? 10 : 29) * std::numbers::pi / 180;
+    const auto part = [&](double angle_rad) {
+        const double cells = stated > 0 ? std::round(stated * angle_rad / quarter_rad) : std::ceil(angle_rad / max_rad);
+        return meshing::Sectors::Part{angle_rad, std::max(1, static_cast<int>(cells))};
+    };
+    const double strip_rad = 0.5 * values.number("geometry.strip.angle"), beside_rad = quarter_rad - strip_rad;
+    meshing::Sectors sectors{{part(strip_rad)}, {part(quarter_rad)}};
+    if (beside_rad > 1e-9) sectors.lower.push_back(part(beside_rad));
+    return sectors;
 }
 
 double bending_length(double radius_m, double thickness_m) { return std::sqrt(radius_m * thickness_m); }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "design/design.hpp"
+#include "meshing/sweep.hpp"
 
 namespace soft::geometry {
 
@@ -56,8 +57,10 @@ private:
 /// four times.
 inline constexpr double max_innermost_sphere = 1.05, max_innermost_cylinder = 1.7;
 
-/// mesh.sectors if stated; else 5 (draft 3, fine 8). With a strip, whose edges must lie between cells, 5 (fine 10).
-[[nodiscard]] int sectors(const design::Values& values);
+/// Around a quarter turn mesh.sectors cells if stated; else 5 (draft 3, fine 8). The edges of a strip lie between cells: with one, its
+/// half and the rest of the two quarter turns have cells of equal angles each, as many as stated in proportion, else of at most 29
+/// degrees (fine 10).
+[[nodiscard]] meshing::Sectors sectors(const design::Values& values);
 
 /// Decay length of edge bending in a shell, sqrt(radius * thickness), up to a factor near 1.
 [[nodiscard]] double bending_length(double radius_m, double thickness_m);

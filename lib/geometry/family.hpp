@@ -27,7 +27,7 @@ enum class Model { axisymmetric, plane_strain, solid, half, quarter, automatic }
 [[nodiscard]] Model model_of(const design::Values& values);
 
 struct Revolution {
-    int sectors_per_quarter;
+    meshing::Sectors sectors;
 };
 
 /// A finished mesh, which is not swept. Only Body::supports are added to the supports of the design.

@@ -114,7 +114,8 @@ Body half_tube(const design::Values& values, const TubeShape& shape, const std::
         throw values.refuse(strip_thickness_key, not_smaller(strip_m, "flat", flat_m), smaller_than(flat_m));
     constexpr int own_through = 2;
     const CellSize size = tube_cells(shape, values);
-    const HalfRoundCells cells{(sectors(values) + 1) / 2, size.through(flat_m, own_through), size.length_m()};
+    const HalfRoundCells cells{(sectors(values).upper.front().cells + 1) / 2, size.through(flat_m, own_through),
+                               size.length_m()};
     const meshing::Capped along{shape.length_m,
                                 shape.cap_m,
                                 size.through(shape.cap_m, own_through),

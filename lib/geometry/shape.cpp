@@ -29,14 +29,21 @@ meshing::FreeCells free_cells(const Body& body, const design::Values& values, Mo
     return simplices || (turned && closes) ? meshing::FreeCells::triangles : meshing::FreeCells::quadrilaterals;
 }
 
+meshing::Turn turn_of(Model model) {
+    switch (model) {
+        case Model::solid: return meshing::Turn::full;
+        case Model::half: return meshing::Turn::half;
+        case Model::quarter: return meshing::Turn::quarter;
+        default: throw std::logic_error("a body of revolution has no such model");
+    }
+}
+
 void refuse_too_many(const Body& body, const design::Values& values) {
     double cells = cell_count(body.section);
     if (!body.outline.loops.empty()) cells = expected_cells(body.outline);
     const Model model = model_of(values);
     if (const auto* revolution = std::get_if<Revolution>(&body.sweep)) {
-        if (model != Model::axisymmetric) cells *= revolution->sectors_per_quarter;
-        if (model == Model::half) cells *= 2;
-        if (model == Model::solid) cells *= 4;
+        if (model != Model::axisymmetric) cells *= revolution->sectors.cells(turn_of(model));
     } else if (model != Model::plane_strain) {
         cells *= std::get<meshing::Extrusion>(body.sweep).layers;
     }
@@ -59,26 +66,17 @@ void mark_strip(mesh::Mesh& solid, double angle_rad) {
 
 Solid revolved(const mesh::Mesh& section, const Body& body, const Revolution& revolution, Model model) {
     Solid solid{{}, model::Kinematics::solid, body.symmetry_planes, body.fraction};
-    switch (model) {
-        case Model::axisymmetric:
-            solid.mesh = section;
-            solid.kinematics = model::Kinematics::axisymmetric;
-            break;
-        case Model::plane_strain:
-        case Model::automatic: throw std::logic_error("a body of revolution has no such model");
-        case Model::solid:
-            solid.mesh = meshing::revolve(section, meshing::Turn::full, revolution.sectors_per_quarter);
-            break;
-        case Model::half:
-            solid.mesh = meshing::revolve(section, meshing::Turn::half, revolution.sectors_per_quarter);
-            solid.symmetry_planes[1] = true;
-            solid.fraction *= 0.5;
-            break;
-        case Model::quarter:
-            solid.mesh = meshing::revolve(section, meshing::Turn::quarter, revolution.sectors_per_quarter);
-            solid.symmetry_planes[1] = solid.symmetry_planes[2] = true;
-            solid.fraction *= 0.25;
-            break;
+    if (model == Model::axisymmetric) {
+        solid.mesh = section;
+        solid.kinematics = model::Kinematics::axisymmetric;
+        return solid;
+    }
+    const meshing::Turn turn = turn_of(model);
+    solid.mesh = meshing::revolve(section, turn, revolution.sectors);
+    if (turn != meshing::Turn::full) {
+        solid.symmetry_planes[1] = true;
+        solid.symmetry_planes[2] = turn == meshing::Turn::quarter;
+        solid.fraction *= turn == meshing::Turn::half ? 0.5 : 0.25;
     }
     if (body.strip_rad > 0) mark_strip(solid.mesh, body.strip_rad);
     return solid;

@@ -51,11 +51,6 @@ void add_strip_sector(Body& body, const design::Values& values) {
         throw values.refuse(angle_key,
                             "model " + core::quoted(values.text("model")) + " assumes a symmetry that a strip breaks",
                             "use model: solid or half");
-    const double step_rad = std::numbers::pi / sectors(values), steps = angle_rad / step_rad;
-    if (std::abs(steps - std::round(steps)) > 1e-9 * steps)
-        throw values.refuse(angle_key, "the edges of the strip do not lie between cells",
-                            "use a multiple of " + core::rounded_text(step_rad * 180 / std::numbers::pi, 6) +
-                                " deg, or other mesh.sectors");
     body.strip_rad = angle_rad;
     add_strip_materials(body, values);
 }

@@ -11,8 +11,7 @@ namespace soft::geometry {
 [[nodiscard]] design::Key strip_material_key();
 
 /// Adds the sector of the strip and its material to the body. Call it after the fibres are added. The sector consists of whole
-/// cells, so that its volume is exact. Throws values.refuse(...) if its edges do not lie between cells, and for models that cannot
-/// contain it.
+/// cells (cell_size.hpp), so that its volume is exact. Throws values.refuse(...) for models that cannot contain it.
 void add_strip_sector(Body& body, const design::Values& values);
 
 /// Name of a region of the body within the strip: "strip" for the main region, else "fibers_strip", ...

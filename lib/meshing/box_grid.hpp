@@ -41,9 +41,9 @@ struct Spacing {
     double grading;                ///< ratio of longest to shortest cell if one or both planes have re-entrant edges
     /// 0: the number of cells between two planes follows from size_m, and their lengths from the grading. Otherwise the cells begin
     /// with size_m / grading at a re-entrant edge and become longer by this factor from one to the next, up to size_m; `min_cells` of them
-    /// between planes that are closer than `stretch` times the shortest.
+    /// between planes that are closer than `stretch` times the shortest, `one_sided_stretch` if only one has re-entrant edges.
     double growth = 0;
-    double stretch = 1;
+    double stretch = 1, one_sided_stretch = 1;
 };
 
 /// Whether the planes at both ends of a distance have re-entrant edges.

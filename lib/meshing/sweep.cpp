@@ -18,23 +18,27 @@ using mesh::Index;
 using mesh::Point;
 using swept::Sweep;
 
-/// Planes at equal angles. Multiples of a quarter turn are exact, so coordinates on cut planes are exactly zero.
+constexpr double quarter_rad = 0.5 * std::numbers::pi;
+
+/// A plane through the axis. Those at multiples of a quarter turn are exact, so coordinates on cut planes are exactly zero.
+struct TurnedPlane {
+    int quarter;  ///< 0 begins at y, -1 at -z
+    double angle_rad;
+};
+
 struct Circle {
-    int half_layers_per_quarter;
-    int offset;  ///< plane 0 lies at offset quarter turns
-    int period;  ///< planes of a full turn; 0 if the turn is not closed
+    std::vector<TurnedPlane> planes;
+    bool closed;
 
     [[nodiscard]] bool is_fixed(const Point& p) const { return p[1] == 0.0; }
     [[nodiscard]] int plane(const Point& p, int plane) const {
         if (is_fixed(p)) return 0;
-        return period > 0 ? plane % period : plane;
+        return closed ? plane % static_cast<int>(planes.size()) : plane;
     }
     [[nodiscard]] Point position(const Point& p, int plane) const {
-        const int quarters = plane / half_layers_per_quarter + offset;
-        const int rest = plane % half_layers_per_quarter;
-        const double angle = 0.5 * std::numbers::pi * rest / half_layers_per_quarter;
-        double y = p[1] * std::cos(angle), z = rest == 0 ? 0.0 : p[1] * std::sin(angle);
-        for (int k = 0; k < (quarters % 4 + 4) % 4; ++k) {
+        const auto [quarter, angle_rad] = planes[static_cast<std::size_t>(plane)];
+        double y = p[1] * std::cos(angle_rad), z = angle_rad == 0 ? 0.0 : p[1] * std::sin(angle_rad);
+        for (int k = 0; k < (quarter + 4) % 4; ++k) {
             const double turned = y;
             y = z == 0.0 ? 0.0 : -z;
             z = turned;
@@ -42,6 +46,36 @@ struct Circle {
         return {p[0], y, z};
     }
 };
+
+std::vector<int> quarters_of(Turn turn) {
+    switch (turn) {
+        case Turn::quarter: return {0};
+        case Turn::half: return {-1, 0};
+        case Turn::full: return {0, 1, 2, 3};
+    }
+    throw std::logic_error("unknown turn");
+}
+
+std::vector<Sectors::Part> parts_of(const Sectors& sectors, int quarter) {
+    std::vector<Sectors::Part> parts = quarter == 0 || quarter == 1 ? sectors.upper : sectors.lower;
+    if (quarter == 1 || quarter == 2) std::ranges::reverse(parts);
+    return parts;
+}
+
+Circle circle(const Sectors& sectors, Turn turn) {
+    Circle circle{{}, turn == Turn::full};
+    const std::vector<int> quarters = quarters_of(turn);
+    for (const int quarter : quarters) {
+        double begin_rad = 0;
+        for (const auto& [angle_rad, cells] : parts_of(sectors, quarter)) {
+            for (int i = 0; i < 2 * cells; ++i)
+                circle.planes.push_back({quarter, begin_rad + angle_rad * i / (2 * cells)});
+            begin_rad += angle_rad;
+        }
+    }
+    if (!circle.closed) circle.planes.push_back({quarters.back() + 1, 0});
+    return circle;
+}
 
 /// Planes along z from 0 up, or along y from the width down to 0: (x, y, z) and (x, z, -y) are right-handed, so the cells keep a
 /// positive orientation.
@@ -60,24 +94,22 @@ struct Straight {
 
 }  // namespace
 
-mesh::Mesh revolve(const mesh::Mesh& section, Turn turn, int sectors_per_quarter) {
-    const int half_layers = 2 * sectors_per_quarter;
-    switch (turn) {
-        case Turn::quarter: {
-            Sweep sweep{section, Circle{half_layers, 0, 0}, sectors_per_quarter};
-            sweep.name_first(symmetry_z_face);
-            sweep.name_last(symmetry_y_face);
-            return sweep.take();
-        }
-        case Turn::half: {
-            Sweep sweep{section, Circle{half_layers, -1, 0}, 2 * sectors_per_quarter};
-            sweep.name_first(symmetry_y_face);
-            sweep.name_last(symmetry_y_face);
-            return sweep.take();
-        }
-        case Turn::full: return Sweep{section, Circle{half_layers, 0, 4 * half_layers}, 4 * sectors_per_quarter}.take();
+Sectors Sectors::even(int per_quarter) { return {{{quarter_rad, per_quarter}}, {{quarter_rad, per_quarter}}}; }
+
+int Sectors::cells(Turn turn) const {
+    int sum = 0;
+    for (const int quarter : quarters_of(turn))
+        for (const Part& part : parts_of(*this, quarter)) sum += part.cells;
+    return sum;
+}
+
+mesh::Mesh revolve(const mesh::Mesh& section, Turn turn, const Sectors& sectors) {
+    Sweep sweep{section, circle(sectors, turn), sectors.cells(turn)};
+    if (turn != Turn::full) {
+        sweep.name_first(turn == Turn::half ? symmetry_y_face : symmetry_z_face);
+        sweep.name_last(symmetry_y_face);
     }
-    throw std::logic_error("revolve: unknown turn");
+    return sweep.take();
 }
 
 mesh::Mesh extrude(const mesh::Mesh& section, const Extrusion& extrusion) {

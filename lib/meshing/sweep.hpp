@@ -12,11 +12,23 @@ namespace soft::meshing {
 /// Share of the body of revolution: quarter: y >= 0 and z >= 0; half: y >= 0; full: closed.
 enum class Turn { quarter, half, full };
 
+/// Cells around the axis, from -z by y to z; the other half of a full turn is the mirror image.
+struct Sectors {
+    struct Part {
+        double angle_rad;
+        int cells;
+    };
+    std::vector<Part> lower, upper;  ///< of the quarter turns from -z to y and from y to z
+
+    [[nodiscard]] static Sectors even(int per_quarter);
+    [[nodiscard]] int cells(Turn turn) const;
+};
+
 /// Revolves the section (x, r) about x: y = r cos(angle), z = r sin(angle). Quadrilaterals become 27-node hexahedra, those
 /// with an edge on the axis 18-node wedges; triangles off the axis become wedges, those on it tetrahedra, which
-/// conform to the wedges only after these are split into simplices. A quarter turn has `sectors_per_quarter` cells. Throws
-/// std::logic_error for a quadrilateral that meets the axis in a corner only.
-[[nodiscard]] mesh::Mesh revolve(const mesh::Mesh& section, Turn turn, int sectors_per_quarter);
+/// conform to the wedges only after these are split into simplices. Throws std::logic_error for a quadrilateral that meets the
+/// axis in a corner only.
+[[nodiscard]] mesh::Mesh revolve(const mesh::Mesh& section, Turn turn, const Sectors& sectors);
 
 /// Extrudes the section from 0 to width_m: (x, z) along y, or (x, y) along z; the end planes get the given names.
 struct Extrusion {

@@ -347,11 +347,6 @@ INSTANTIATE_TEST_SUITE_P(
             "test: geometry.strip.angle: model 'quarter' assumes a symmetry that a strip breaks; use model: solid or half"},
         Refusal{
             "bellows",
-            "half",
-            {{"geometry.strip.angle", "45 deg"}},
-            "test: geometry.strip.angle: the edges of the strip do not lie between cells; use a multiple of 36 deg, or other mesh.sectors"},
-        Refusal{
-            "bellows",
             "axisymmetric",
             {{"geometry.crest_radius", "9 mm"}},
             "test: geometry.crest_radius: 9 mm leaves no straight wall between trough and crest; use a value above 9 mm"},

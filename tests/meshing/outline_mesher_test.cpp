@@ -161,7 +161,7 @@ TEST(OutlineMesher, TrianglesOnTheAxisGiveAValidSolid) {
     const Outline outline = sized(ball, Across::r, {3e-3, 2, 1, {}});
     const mesh::Mesh section = mesh_outline(outline, FreeCells::triangles);
     for (const auto& [turn, part] : {std::pair{Turn::quarter, 0.25}, {Turn::half, 0.5}, {Turn::full, 1.0}}) {
-        const mesh::Mesh solid = mesh::split_into_simplices(revolve(section, turn, 4));
+        const mesh::Mesh solid = mesh::split_into_simplices(revolve(section, turn, Sectors::even(4)));
         EXPECT_GT(mesh::quality(solid).min_scaled_jacobian, 0.1);
         EXPECT_NEAR(mesh::measure(solid, mesh::Measure::plain) / part / (4 * pi / 3 * 875e-9), 1, 2e-3);
         std::set<mesh::Facet> named;

@@ -94,7 +94,7 @@ TEST(SectionMesher, BlocksOfDifferentRegionsShareNodes) {
     };
     EXPECT_EQ(cells_of(plane, 0), 2);
     EXPECT_EQ(cells_of(plane, 1), 6);
-    const mesh::Mesh drawn = extrude(plane, {1.0, 3, {}, {}}), turned = revolve(plane, Turn::quarter, 3);
+    const mesh::Mesh drawn = extrude(plane, {1.0, 3, {}, {}}), turned = revolve(plane, Turn::quarter, Sectors::even(3));
     for (const mesh::Mesh* solid : {&drawn, &turned}) {
         EXPECT_EQ(solid->region_names, plane.region_names);
         EXPECT_EQ(cells_of(*solid, 0), 3 * 2);

@@ -33,11 +33,12 @@ std::size_t boundary_count(const mesh::Mesh& mesh, std::initializer_list<const c
 
 double error_of_ring(int sectors) {
     const double exact = 3 * std::numbers::pi * (3 * 3 - 2 * 2);
-    return std::abs(mesh::measure(revolve(bar(2), Turn::full, sectors), mesh::Measure::plain) / exact - 1);
+    return std::abs(mesh::measure(revolve(bar(2), Turn::full, Sectors::even(sectors)), mesh::Measure::plain) / exact -
+                    1);
 }
 
 TEST(Revolve, FullTurnIsClosed) {
-    const mesh::Mesh ring = revolve(bar(2), Turn::full, 3);
+    const mesh::Mesh ring = revolve(bar(2), Turn::full, Sectors::even(3));
     EXPECT_EQ(ring.cell_count(), 6 * 12);
     EXPECT_EQ(ring.points.size(), std::size_t{7 * 5 * 24});  // section nodes times half layers, without duplicates
     EXPECT_EQ(boundary_count(ring, {"lower", "right", "upper", "left"}), std::size_t{10 * 12});
@@ -45,7 +46,7 @@ TEST(Revolve, FullTurnIsClosed) {
 }
 
 TEST(Revolve, EveryNodeLiesOnItsExactCircle) {
-    const mesh::Mesh section = bar(2), ring = revolve(section, Turn::half, 2);
+    const mesh::Mesh section = bar(2), ring = revolve(section, Turn::half, Sectors::even(2));
     std::set<long> radii;
     for (const mesh::Point& p : section.points) radii.insert(std::lround(p[1] * 1e9));
     for (const mesh::Point& p : ring.points) EXPECT_TRUE(radii.contains(std::lround(std::hypot(p[1], p[2]) * 1e9)));
@@ -57,8 +58,25 @@ TEST(Revolve, VolumeConvergesToPappusWithFourthOrder) {
     EXPECT_NEAR(std::log2(error_of_ring(4) / error_of_ring(8)), 4, 0.1);
 }
 
+TEST(Revolve, PartsHaveCellsOfTheirOwnAndAreMirrored) {
+    constexpr double quarter = 0.5 * std::numbers::pi, part = 0.3;
+    const Sectors sectors{{{part, 1}, {quarter - part, 3}}, {{quarter, 4}}};
+    const mesh::Mesh half = revolve(bar(2), Turn::half, sectors), whole = revolve(bar(2), Turn::full, sectors);
+    EXPECT_EQ(sectors.cells(Turn::half), 8);
+    EXPECT_EQ(whole.cell_count(), 2 * half.cell_count());
+    EXPECT_NEAR(mesh::measure(whole, mesh::Measure::plain) / mesh::measure(half, mesh::Measure::plain), 2, 1e-14);
+    const auto at_edge = [&](const mesh::Mesh& mesh, double side) {
+        return std::ranges::count_if(
+            mesh.points, [&](const mesh::Point& p) { return std::abs(std::atan2(side * p[1], -p[2]) - part) < 1e-12; });
+    };
+    EXPECT_EQ(at_edge(half, 1), 7 * 5);  // every node of the section
+    EXPECT_EQ(at_edge(whole, 1), 7 * 5);
+    EXPECT_EQ(at_edge(whole, -1), 7 * 5);
+    EXPECT_GT(mesh::quality(whole).min_scaled_jacobian, 0.5);
+}
+
 TEST(Revolve, QuadrilateralsOnTheAxisBecomeWedges) {
-    const mesh::Mesh disc = revolve(bar(0), Turn::full, 4);
+    const mesh::Mesh disc = revolve(bar(0), Turn::full, Sectors::even(4));
     EXPECT_EQ(std::count(disc.cell_types.begin(), disc.cell_types.end(), CellType::wedge18), 3 * 16);
     EXPECT_EQ(std::count(disc.cell_types.begin(), disc.cell_types.end(), CellType::hex27), 3 * 16);
     EXPECT_GT(mesh::quality(disc).min_scaled_jacobian, 0.4);
@@ -81,7 +99,7 @@ TEST(Revolve, AnyEdgeOfAQuadrilateralMayLieOnTheAxis) {
         for (auto& [name, facets] : section.facet_sets)
             for (mesh::Facet& facet : facets)
                 if (facet.cell == 0) facet.local = (facet.local + 3) % 4;
-        const mesh::Mesh disc = revolve(section, Turn::full, 4);
+        const mesh::Mesh disc = revolve(section, Turn::full, Sectors::even(4));
         EXPECT_NEAR(mesh::measure(disc, mesh::Measure::plain) / (3 * std::numbers::pi), 1, 1e-4);
         EXPECT_EQ(boundary_count(disc, {"right", "upper", "left"}), std::size_t{(2 + 2 + 3) * 16});
         for (const mesh::Facet& facet : disc.facet_sets.at("left"))
@@ -90,7 +108,7 @@ TEST(Revolve, AnyEdgeOfAQuadrilateralMayLieOnTheAxis) {
 }
 
 TEST(Revolve, CutPlanesAreExactAndNamed) {
-    const mesh::Mesh quarter = revolve(bar(0), Turn::quarter, 3);
+    const mesh::Mesh quarter = revolve(bar(0), Turn::quarter, Sectors::even(3));
     EXPECT_EQ(boundary_count(quarter, {"right", "upper", "left", symmetry_y_face, symmetry_z_face}),
               std::size_t{7 * 3 + 12});
     for (const mesh::Point& p : quarter.points) {
@@ -102,21 +120,22 @@ TEST(Revolve, CutPlanesAreExactAndNamed) {
     for (const mesh::Facet& facet : quarter.facet_sets.at(symmetry_z_face))
         for (const mesh::Index n : facet_nodes(quarter, facet)) EXPECT_EQ(quarter.point(n)[2], 0);
 
-    const mesh::Mesh half = revolve(bar(0), Turn::half, 3);
+    const mesh::Mesh half = revolve(bar(0), Turn::half, Sectors::even(3));
     EXPECT_EQ(boundary_count(half, {"right", "upper", "left", symmetry_y_face}), std::size_t{7 * 6 + 12});
     EXPECT_FALSE(half.facet_sets.contains(symmetry_z_face));
     for (const mesh::Point& p : half.points) EXPECT_GE(p[1], 0);
 }
 
 TEST(Revolve, TrianglesOffTheAxisBecomeWedgesAndOnTheAxisTetrahedra) {
-    const mesh::Mesh ring = revolve(mesh::split_into_simplices(bar(2)), Turn::quarter, 4);
+    const mesh::Mesh ring = revolve(mesh::split_into_simplices(bar(2)), Turn::quarter, Sectors::even(4));
     EXPECT_EQ(std::count(ring.cell_types.begin(), ring.cell_types.end(), CellType::wedge18), ring.cell_count());
     EXPECT_GT(mesh::quality(ring).min_scaled_jacobian, 0.5);
     EXPECT_NEAR(4 * mesh::measure(ring, mesh::Measure::plain) / (15 * std::numbers::pi), 1, 1e-4);
-    const mesh::Mesh section = mesh::split_into_simplices(bar(0)), solid = revolve(section, Turn::quarter, 4);
+    const mesh::Mesh section = mesh::split_into_simplices(bar(0)),
+                     solid = revolve(section, Turn::quarter, Sectors::even(4));
     EXPECT_GT(std::count(solid.cell_types.begin(), solid.cell_types.end(), CellType::tet10), 0);
     const mesh::Mesh split = mesh::split_into_simplices(solid),
-                     known = mesh::split_into_simplices(revolve(bar(0), Turn::quarter, 4));
+                     known = mesh::split_into_simplices(revolve(bar(0), Turn::quarter, Sectors::even(4)));
     EXPECT_GT(mesh::quality(split).min_scaled_jacobian, 0.1);
     EXPECT_NEAR(mesh::measure(split, mesh::Measure::plain) / mesh::measure(known, mesh::Measure::plain), 1, 1e-12);
     EXPECT_EQ(mesh::boundary_facets(split).size(), mesh::boundary_facets(known).size());  // no gap between cells
@@ -125,11 +144,11 @@ TEST(Revolve, TrianglesOffTheAxisBecomeWedgesAndOnTheAxisTetrahedra) {
 TEST(Revolve, CornerOnTheAxisIsRejected) {
     mesh::Mesh section = bar(2);
     section.points[static_cast<std::size_t>(section.connectivity[0])][1] = 0;
-    EXPECT_THROW((void)revolve(section, Turn::quarter, 4), std::logic_error);
+    EXPECT_THROW((void)revolve(section, Turn::quarter, Sectors::even(4)), std::logic_error);
 }
 
 TEST(Revolve, BodySplitsIntoConformingTetrahedra) {
-    const mesh::Mesh disc = revolve(bar(0), Turn::full, 4), split = mesh::split_into_simplices(disc);
+    const mesh::Mesh disc = revolve(bar(0), Turn::full, Sectors::even(4)), split = mesh::split_into_simplices(disc);
     EXPECT_EQ(split.cell_count(), 48 * 3 + 48 * 6);
     EXPECT_GT(mesh::quality(split).min_scaled_jacobian, 0.3);
     // Every quadrilateral of the boundary gives two triangles; an inner mismatch would add more.
@@ -166,7 +185,7 @@ TEST(Extrude, AlongZKeepsXAndYAndTheOrientation) {
 }
 
 TEST(FacetsOnPlane, FindsInnerPlanesOfAFullTurn) {
-    const mesh::Mesh disc = revolve(bar(0), Turn::full, 4);
+    const mesh::Mesh disc = revolve(bar(0), Turn::full, Sectors::even(4));
     const auto plane = facets_on_plane(disc, 1);
     EXPECT_EQ(plane.size(), std::size_t{2 * 2 * 6});  // both halves of the section, from both sides
     for (const mesh::Facet& facet : plane)
