@@ -102,8 +102,12 @@ meshing::Sectors sectors(const design::Values& values) {
         return meshing::Sectors::even(stated > 0 ? stated : factor > 1 ? 8 : factor < 1 ? 3 : 5);
     const double max_rad = (factor > 1 ? 10 : 29) * std::numbers::pi / 180;
     const auto part = [&](double angle_rad) {
-        const double cells = stated > 0 ? std::round(stated * angle_rad / quarter_rad) : std::ceil(angle_rad / max_rad);
-        return meshing::Sectors::Part{angle_rad, std::max(1, static_cast<int>(cells))};
+        const int cells = meshing::cell_count([&] {
+            const double exact =
+                stated > 0 ? std::round(stated * angle_rad / quarter_rad) : std::ceil(angle_rad / max_rad);
+            return std::max(1, static_cast<int>(exact));
+        });
+        return meshing::Sectors::Part{angle_rad, cells};
     };
     const double strip_rad = 0.5 * values.number("geometry.strip.angle"), beside_rad = quarter_rad - strip_rad;
     meshing::Sectors sectors{{part(strip_rad)}, {part(quarter_rad)}};

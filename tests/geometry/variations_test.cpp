@@ -47,16 +47,24 @@ TEST(Variations, MoveTheNodesOfTheOuterFaceWithTheOuterRadius) {
     }
 }
 
-/// 21 mm are exactly 2.5 cells of 8.4 mm, and more or less of them 2 or 3.
+/// 21 mm are exactly 2.5 cells of 8.4 mm, and more or less of them 2 or 3; a base of twice the walls has one cell, a thicker one two; half a
+/// strip of 58 degrees has one cell, of a larger angle two.
 TEST(Variations, RepeatTheNumbersOfCells) {
-    const std::string at_a_half =
-        "family: rod\ngeometry: {length: 21 mm, width: 8.4 mm, height: 8.4 mm}\nmesh: {size: 8.4 mm}\n"
-        "material: {law: neo-hookean, mu: 0.1644 MPa, kappa: incompressible}\n"
-        "loads: {end: {pressure: -20 kPa}}\n";
-    const auto all = varied(at_a_half, {"geometry.length"}).variations;
-    ASSERT_EQ(all.size(), 1u);
-    EXPECT_LT(all[0].parameter.lower, all[0].parameter.value);
-    EXPECT_GT(all[0].parameter.higher, all[0].parameter.value);
+    const std::string rubber = "material: {law: neo-hookean, mu: 0.1644 MPa, kappa: incompressible}\n";
+    const std::vector<std::pair<std::string, std::string>> at_a_step{
+        {"family: rod\ngeometry: {length: 21 mm, width: 8.4 mm, height: 8.4 mm}\nmesh: {size: 8.4 mm}\n"
+         "loads: {end: {pressure: -20 kPa}}\n",
+         "geometry.length"},
+        {"family: pneunet\ngeometry: {chambers: 1, base: 3 mm, wall: 1.5 mm}\nloads: {cavity: {pressure: 1 kPa}}\n",
+         "geometry.base"},
+        {"family: bellows\nmodel: half\ngeometry: {convolutions: 1, strip: {angle: 58 deg}}\nloads: {cavity: {pressure: 1 kPa}}\n",
+         "geometry.strip.angle"}};
+    for (const auto& [text, key] : at_a_step) {
+        const auto all = varied(text + rubber, {key}).variations;
+        ASSERT_EQ(all.size(), 1u);
+        EXPECT_LT(all[0].parameter.lower, all[0].parameter.value) << key;
+        EXPECT_GT(all[0].parameter.higher, all[0].parameter.value) << key;
+    }
 }
 
 TEST(Variations, OfAConstantMoveNothing) {
