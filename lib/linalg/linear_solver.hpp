@@ -84,6 +84,8 @@ public:
     /// True for a factorisation, whose stale factor remains a good preconditioner for some steps.
     [[nodiscard]] bool is_direct() const noexcept { return !is_krylov(); }
     [[nodiscard]] const LinearSettings& settings() const noexcept { return settings_; }
+    /// Number of iterations that take as long as a factorisation, from counts; 0 if unknown.
+    [[nodiscard]] double iterations_per_factorization() const noexcept { return iterations_per_factorization_; }
     [[nodiscard]] int factorizations() const noexcept { return factorizations_; }
     [[nodiscard]] long iterations() const noexcept { return iterations_; }  ///< total over all solves
     [[nodiscard]] KSP ksp() const noexcept { return ksp_; }
@@ -112,6 +114,7 @@ private:
     std::unique_ptr<Factors> own_;  // used by the preconditioner of ksp_, which is destroyed first
     std::unique_ptr<Multigrid> multigrid_;
     KrylovSolver ksp_;
+    double iterations_per_factorization_ = 0;
     int factorizations_ = 0;
     long iterations_ = 0;
 };

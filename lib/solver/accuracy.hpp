@@ -26,8 +26,9 @@ struct AccuracyTarget {
 
 struct Accuracy {
     std::vector<RowState> rows;  ///< of the reported level, bars in their steps; fields [point of that level] on rank 0
-    std::vector<model::Step> finer;  ///< the same rows on the next finer level, where there are bars
-    int level = 0;                   ///< the reported level; the next finer one is solved too where there are bars
+    /// The same rows on the next finer level, where there are bars; on the last level their values alone (RefinedPath::Keep).
+    std::vector<model::Step> finer;
+    int level = 0;  ///< the reported level; the next finer one is solved too where there are bars
     bool has_bars = false;
     double reached = 0;      ///< the value that the tolerance bounds, where there are bars
     std::string end_reason;  ///< why there is no finer level, one clause; empty where the tolerance is met

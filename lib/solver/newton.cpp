@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace soft::solver {
 
@@ -18,7 +19,7 @@ constexpr double share_of_linear_solves = 0.1;
 constexpr double loosest_linear_tolerance = 1e-2;
 /// With a new factor; one iteration reaches it. Newton's method corrects the rest.
 constexpr double tolerance_with_new_factor = 1e-5;
-/// With more iterations than this a new factor is cheaper.
+/// With more iterations than this, or than half the cost of a factorisation, a new factor is cheaper.
 constexpr int max_iterations_with_kept_factor = 6;
 /// The first correction after a predictor may raise the residual of a nearly incompressible solid before it falls.
 constexpr double first_iteration_rise = 20.0;
@@ -94,7 +95,8 @@ NewtonResult Newton::correct_by(model::LineSearch line_search, const Constraint&
                                 State& state) {
     Correction now;
     now.line_search = line_search;
-    bordered_.factor_is_recent = bordered_.columns_are_recent = linear_limit_met_ = false;
+    bordered_.factor_is_recent = std::exchange(keeps_factor_, false) && bordered_.factor_is_recent;
+    bordered_.columns_are_recent = linear_limit_met_ = false;
     updates_.clear();
     now.evaluation = bordered_.evaluate_at(state);
     const auto report = [&](NewtonEnd end) {
@@ -179,7 +181,7 @@ linalg::LinearSolve Newton::solve_updated(Vec b, Vec x, double tolerance) {
 std::optional<NewtonEnd> Newton::solve_blocks(const State& state, const Correction& now) {
     linear_limit_met_ = false;
     const bool full = bordered_.settings.newton == model::NewtonMethod::full;
-    if (full && now.result.iterations > 1 && solve_with_kept_factor(now)) return std::nullopt;
+    if (full && solve_with_kept_factor(now)) return std::nullopt;
     if (full || now.result.iterations == 1) {
         bordered_.differentiate(state);
         if (const auto failed = bordered_.factorize()) return failed;
@@ -201,8 +203,9 @@ bool Newton::solve_with_kept_factor(const Correction& now) {
         return false;
     const double enough =
         now.residual > 0.0 ? share_of_linear_solves * now.aim / now.residual : loosest_linear_tolerance;
-    linalg::SolveSettings how{linalg::Factor::stale, std::min(enough, loosest_linear_tolerance),
-                              max_iterations_with_kept_factor};
+    const int limit = std::max(max_iterations_with_kept_factor,
+                               static_cast<int>(0.5 * bordered_.linear.iterations_per_factorization()));
+    linalg::SolveSettings how{linalg::Factor::stale, std::min(enough, loosest_linear_tolerance), limit};
     SOFT_PETSC(VecScale(bordered_.R, -1.0));
     const auto solve = [&](Vec b, Vec x) { return bordered_.linear.solve(b, x, how); };
     bool served = solve(bordered_.R, correction_).converged;

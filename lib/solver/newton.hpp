@@ -70,6 +70,8 @@ public:
 
     /// Moves `state` to equilibrium with c = target. On failure `state` holds the last admissible iterate.
     [[nodiscard]] NewtonResult correct(const Constraint& constraint, double target, State& state);
+    /// The next correction starts close to where the last one ended, with its factor.
+    void keep_factor() { keeps_factor_ = true; }
 
     /// Tangent of the path at a converged state. Its inertia comes from the factor of the last correction if there was one
     /// (that state differs from this one by less than the last correction squared), else from a new factor. nullopt where K is
@@ -168,6 +170,7 @@ private:
     /// Rounding error of the residual in the undeformed body: the resolution of equilibrium under tiny loads.
     double rounding_N_ = 0;
     double residual_at_factor_ = 0;  // |R| where the factor was computed
+    bool keeps_factor_ = false;      // for the next correction
     bool linear_limit_met_ = false;  // in the last iteration
     NewtonEnd tangent_end_ = NewtonEnd::converged;
     bool loses_digits_ = false;  // K^-1 at the last tangent

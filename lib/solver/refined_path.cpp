@@ -77,8 +77,9 @@ bool RefinedPath::end_stage(State& state) {
         smallest = off;
         met = &goal;
     }
-    return met != nullptr && corrector_.correct(nearest_, 0.0, state) &&
-           corrector_.correct(met->constraint, met->target, state);
+    if (met == nullptr || !corrector_.correct(nearest_, 0.0, state)) return false;
+    corrector_.newton().keep_factor();
+    return corrector_.correct(met->constraint, met->target, state);
 }
 
 std::optional<State> RefinedPath::equilibrium(const RowState& coarse, RowPosition position) {
@@ -146,14 +147,23 @@ std::optional<RowState> RefinedPath::solve(const RowState& coarse, RowPosition p
     const WorkCount before = work();
     auto state = equilibrium(coarse, position);
     if (!state) return std::nullopt;
-    auto tangent = corrector_.newton().tangent(nearest_, *state);
-    if (!tangent) return std::nullopt;
     SOFT_PETSC(VecWAXPY(correction_, -1.0, origin_, state->x));
     corrected_m_ = linalg::norm(origin_);
-    PathPoint point{std::move(*state), std::move(*tangent)};
+    PathPoint point{std::move(*state),
+                    PathTangent{system_.make_vector(), 0, std::vector<double>(loads_->free_supplies().size()), {}, 0}};
+    if (keep == Keep::fields) {
+        auto tangent = corrector_.newton().tangent(nearest_, point.state);
+        if (!tangent) return std::nullopt;
+        point.tangent = std::move(*tangent);
+    }
     PathPoint near;
     near.outputs = coarse.step.outputs;
     read_values(system_, *loads_, &near, point);
+    if (keep == Keep::values) {
+        RowState row{step_of(system_, point, 1.0), {}, {}, {}, {}};
+        accept(std::move(point));
+        return row;
+    }
     if (last_) point.load_work_J = last_->load_work_J + work_between(system_, *last_, point, of_last_);
     of_last_ = FromTangent::along_the_path;
     RowState row{step_of(system_, point, 1.0), {}, {}, {}, {}};
@@ -166,13 +176,16 @@ std::optional<RowState> RefinedPath::solve(const RowState& coarse, RowPosition p
     if (row.step.energies && coarse.step.energies &&
         !row.step.energies->dissipated_J)  // snaps are found on the first mesh alone
         row.step.energies->dissipated_J = coarse.step.energies->dissipated_J;
-    if (frequencies_ && keep == Keep::fields)  // a mesh that is only compared reports no rows
-        row.step.frequencies_Hz = frequencies_->evaluate(point.state.x, point.levels);
-    if (keep == Keep::fields) row = row_state(system_, point, 1.0, std::move(row.step));
+    if (frequencies_) row.step.frequencies_Hz = frequencies_->evaluate(point.state.x, point.levels);
+    row = row_state(system_, point, 1.0, std::move(row.step));
+    accept(std::move(point));
+    return row;
+}
+
+void RefinedPath::accept(PathPoint point) {
     system_.prescribe(point.levels);
     system_.accept_step(point.state.x);
     last_ = std::move(point);
-    return row;
 }
 
 }  // namespace soft::solver

@@ -26,7 +26,8 @@ public:
     RefinedPath(fem::System& fine, const mesh::Refined& refined);
 
     /// Call for the rows in the order of the path, `first` only for the first. The result's stability is that of the coarse row; its fields
-    /// are omitted with Keep::values. nullopt where Newton's method does not converge.
+    /// are omitted with Keep::values, and so are slopes, work, energies and stretches: such a row is only compared. nullopt where Newton's
+    /// method does not converge.
     enum class Keep { fields, values };
     [[nodiscard]] std::optional<RowState> solve(const RowState& coarse, RowPosition position, Keep keep);
 
@@ -34,6 +35,7 @@ public:
 
 private:
     void set_stage(int stage);
+    void accept(PathPoint point);
     /// The initial guess of a row. Sets nearest_: the arc constraint, or the load factor where the tangent is zero.
     [[nodiscard]] State carry_over(const RowState& coarse);
     [[nodiscard]] std::optional<State> equilibrium(const RowState& coarse, RowPosition position);

@@ -162,8 +162,8 @@ Ratios ratios_of(const model::Case& input, const std::vector<solver::RowState>& 
             continue;
         }
         const model::Step &fine = reference.finest[i], &coarse = reference.before[i];
-        const double along = (fine.outputs.empty() ? fine.tangent_volume : fine.tangent_outputs[0]) / measures;
-        const double up = fine.tangent_pressure / loads, length = std::hypot(along, up);
+        const double along = (coarse.outputs.empty() ? coarse.tangent_volume : coarse.tangent_outputs[0]) / measures;
+        const double up = coarse.tangent_pressure / loads, length = std::hypot(along, up);
         const auto across = [&](const model::Step& a, const model::Step& b) {
             return (along * (a.pressure_Pa - b.pressure_Pa) / loads - up * (measure_of(a) - measure_of(b)) / measures) /
                    length;
