@@ -38,32 +38,40 @@ Surface evaluate(const ReferenceFacet& facet, std::span<const double> x, int q) 
     return s;
 }
 
-/// d(t1 x t2)_i / dx_k of node b = N_b,1 (e_k x t2)_i + N_b,2 (t1 x e_k)_i.
-double normal_slope(const Surface& s, double dN1, double dN2, int i, int k) {
-    if (i == k) return 0;
-    const int other = 3 - i - k;
-    const double sign = (k + 1) % 3 == other ? 1.0 : -1.0;  // (e_k x e_other) points along +e_i or -e_i
-    return sign * (dN1 * s.t2[other] - dN2 * s.t1[other]);
-}
+constexpr int most_nodes = 9;
 
+/// d(t1 x t2)_i / dx_k of node b = N_b,1 (e_k x t2)_i + N_b,2 (t1 x e_k)_i = +-(N_b,1 t2 - N_b,2 t1)_c, with c the third axis and + where
+/// (k, c, i) is cyclic; 0 for i = k. So three sums over the points make up the stiffness.
 void solid_pressure(const ReferenceFacet& facet, std::span<const double> x, std::span<double> force,
                     std::span<double> stiffness) {
     const int n = facet.nodes, size = facet.dofs();
+    std::array<double, most_nodes> slopes{};
+    std::array<std::array<double, most_nodes * most_nodes>, 3> sums{};  // [c][a n + b]
     for (int q = 0; q < facet.points; ++q) {
         const Surface s = evaluate(facet, x, q);
         const Vector3 normal = cross(s.t1, s.t2);
         const double* N = &facet.N[static_cast<std::size_t>(q) * n];
         const double* dN = &facet.dN_dxi[static_cast<std::size_t>(q) * 2 * n];
         for (int i = 0; i < 3; ++i)
+            for (int a = 0; a < n; ++a) force[i * n + a] += -facet.weight[q] * N[a] * normal[i];
+        if (stiffness.empty()) continue;
+        for (int c = 0; c < 3; ++c) {
+            for (int b = 0; b < n; ++b) slopes[b] = dN[b] * s.t2[c] - dN[n + b] * s.t1[c];
             for (int a = 0; a < n; ++a) {
                 const double weight = -facet.weight[q] * N[a];
-                force[i * n + a] += weight * normal[i];
-                if (stiffness.empty()) continue;
-                double* row = &stiffness[static_cast<std::size_t>(i * n + a) * size];
-                for (int k = 0; k < 3; ++k)
-                    for (int b = 0; b < n; ++b) row[k * n + b] += weight * normal_slope(s, dN[b], dN[n + b], i, k);
+                for (int b = 0; b < n; ++b) sums[c][a * n + b] += weight * slopes[b];
             }
+        }
     }
+    if (stiffness.empty()) return;
+    for (int i = 0; i < 3; ++i)
+        for (int a = 0; a < n; ++a)
+            for (const int k : {(i + 1) % 3, (i + 2) % 3}) {
+                const int c = 3 - i - k;
+                const double sign = (k + 1) % 3 == c ? 1.0 : -1.0;
+                double* row = &stiffness[static_cast<std::size_t>(i * n + a) * size + static_cast<std::size_t>(k * n)];
+                for (int b = 0; b < n; ++b) row[b] += sign * sums[c][a * n + b];
+            }
 }
 
 /// Section facets: n da = depth (t_y, -t_x) dxi with depth = 2 pi r (axisymmetric) or 1 (plane strain).
