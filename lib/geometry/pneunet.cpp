@@ -123,9 +123,8 @@ meshing::Spacing spacing_of(const Shape& shape, const CellSize& size, const desi
     const double stated_grading = values.number("mesh.grading");
     const double span_m = shape.chamber_m - 2 * shape.wall_m;
     const auto cells_through = [&](double thickness_m) {
-        return meshing::cell_count([&] {
-            return quality < 1 || (quality == 1 && span_m < short_span * thickness_m) ? 1 : min_through;
-        });
+        return meshing::cell_count(
+            [&] { return quality < 1 || (quality == 1 && span_m < short_span * thickness_m) ? 1 : min_through; });
     };
     meshing::Spacing spacing{size.length_m(),
                              {min_through, cells_through(shape.side_m), cells_through(shape.roof_m)},

@@ -75,7 +75,7 @@ Solid revolved(const mesh::Mesh& section, const Body& body, const Revolution& re
     solid.mesh = meshing::revolve(section, turn, revolution.sectors);
     if (turn != meshing::Turn::full) {
         solid.symmetry_planes[1] = true;
-        solid.symmetry_planes[2] = turn == meshing::Turn::quarter;
+        if (turn == meshing::Turn::quarter) solid.symmetry_planes[2] = true;
         solid.fraction *= turn == meshing::Turn::half ? 0.5 : 0.25;
     }
     if (body.strip_rad > 0) mark_strip(solid.mesh, body.strip_rad);

@@ -29,10 +29,10 @@ figure() { table | awk -F, -v what="$1" '$1 == "start" && $2 == what && $3 > 0 &
 
 run --help
 claim "--help succeeds" exits 0
-for group in start bellows sensitivities cyclic kernels ranks rod solid size sweep; do claim "and lists the group $group" prints "$group  "; done
+for group in start bellows sensitivities cyclic kernels ranks rod solid size finger sweep; do claim "and lists the group $group" prints "$group  "; done
 run speed
 claim "an unknown group is a usage error" exits 64
-claim "that lists the groups" reports 'start bellows sensitivities cyclic kernels ranks rod solid size sweep'
+claim "that lists the groups" reports 'start bellows sensitivities cyclic kernels ranks rod solid size finger sweep'
 
 RUNS=2 run start
 claim "the group start succeeds" exits 0
