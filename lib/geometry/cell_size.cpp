@@ -95,18 +95,16 @@ std::vector<std::string> too_few_through_ring(const CellSize& size, double inner
 }
 
 meshing::Sectors sectors(const design::Values& values) {
-    constexpr double quarter_rad = 0.5 * std::numbers::pi;
+    constexpr double quarter_rad = 0.5 * std::numbers::pi, rounding = 1e-9;
     const int stated = values.count("mesh.sectors");
     const double factor = quality_factor(values);
     if (!values.has("geometry.strip.angle") || values.number("geometry.strip.angle") == 0)
         return meshing::Sectors::even(stated > 0 ? stated : factor > 1 ? 8 : factor < 1 ? 3 : 5);
     const double max_rad = (factor > 1 ? 10 : 29) * std::numbers::pi / 180;
     const auto part = [&](double angle_rad) {
-        const int cells = meshing::cell_count([&] {
-            const double exact =
-                stated > 0 ? std::round(stated * angle_rad / quarter_rad) : std::ceil(angle_rad / max_rad);
-            return std::max(1, static_cast<int>(exact));
-        });
+        const double largest_rad = stated > 0 ? quarter_rad / stated : max_rad;
+        const int cells =
+            meshing::cell_count([&] { return static_cast<int>(std::ceil(angle_rad / largest_rad - rounding)); });
         return meshing::Sectors::Part{angle_rad, cells};
     };
     const double strip_rad = 0.5 * values.number("geometry.strip.angle"), beside_rad = quarter_rad - strip_rad;

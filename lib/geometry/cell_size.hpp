@@ -58,8 +58,7 @@ private:
 inline constexpr double max_innermost_sphere = 1.05, max_innermost_cylinder = 1.7;
 
 /// Around a quarter turn mesh.sectors cells if stated; else 5 (draft 3, fine 8). The edges of a strip lie between cells: with one, its
-/// half and the rest of the two quarter turns have cells of equal angles each, as many as stated in proportion, else of at most 29
-/// degrees (fine 10).
+/// half and the rest of the two quarter turns have cells of equal angles each, no larger than stated, else at most 29 degrees (fine 10).
 [[nodiscard]] meshing::Sectors sectors(const design::Values& values);
 
 /// Decay length of edge bending in a shell, sqrt(radius * thickness), up to a factor near 1.

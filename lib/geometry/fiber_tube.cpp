@@ -184,6 +184,7 @@ std::vector<design::Key> own_keys() {
 
 Family fiber_tube() {
     design::FamilyKeys keys = tube_keys();
+    describe_strip_sectors(keys.mesh);
     keys.name = "fiber-tube";
     keys.summary =
         "a closed tube with fibres in its wall: shortens, lengthens or twists depending on their angle, or bends";

@@ -96,16 +96,13 @@ design::Key through_wall_key() {
 design::Key sectors_key() {
     // One curved cell over 90 degrees has an area error of more than 1 %, hence at least two. The paper's bellows differs
     // from its axisymmetric curve by 0.9, 0.3 and 0.1 % with 3, 4 and 5 cells (fourth order).
-    return {
-        .path = "mesh.sectors",
-        .kind = design::Kind::count,
-        .fallback = "auto",
-        .meaning =
-            "cells around a quarter turn of a solid of revolution; auto: 5 (draft 3, fine 8); with a strip, cells of at "
-            "most 29 degrees (fine 10)",
-        .min = 2,
-        .max = 1000,
-        .choices = {"auto"}};
+    return {.path = "mesh.sectors",
+            .kind = design::Kind::count,
+            .fallback = "auto",
+            .meaning = "cells around a quarter turn of a solid of revolution; auto: 5 (draft 3, fine 8)",
+            .min = 2,
+            .max = 1000,
+            .choices = {"auto"}};
 }
 
 design::Key grading_key(std::string_view fallback) {

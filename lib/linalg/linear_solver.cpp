@@ -72,6 +72,7 @@ void LinearSolver::use_factorization(Choice choice) {
     SOFT_PETSC(PetscOptionsHasName(nullptr, nullptr, "-pc_type", &chosen));  // the user overrides set_type
     const PC pc = preconditioner();
     own_.reset();
+    iterations_per_factorization_ = 0;
     choice_ = choice;
     const char* name = "LDL^T without pivoting, multifrontal";
     if (choice == Choice::multifrontal) {

@@ -271,7 +271,7 @@ std::vector<double> growing_shares(double length_m, int min_cells, const Spacing
     constexpr double rounding = 1e-9;
     const bool any = sharp.low || sharp.high;
     const double shortest_m = any ? spacing.size_m / spacing.grading : spacing.size_m;
-    const double stretch = sharp.low && sharp.high ? spacing.stretch : spacing.one_sided_stretch;
+    const double stretch = sharp.low != sharp.high ? spacing.one_sided_stretch : spacing.stretch;
     const bool few = cell_count([&] { return length_m <= (1 + rounding) * stretch * shortest_m ? 1 : 0; }) == 1;
     if (few) return graded_shares(min_cells, 1, sharp);
     const auto length_of = [&](int i, int cells) {

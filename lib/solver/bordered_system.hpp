@@ -85,7 +85,7 @@ public:
     linalg::Matrix K;
     linalg::LinearSolver linear;
     linalg::Factorization factor;
-    bool factor_is_recent = false;    ///< made in the last correction
+    bool factor_is_recent = false;    ///< made in the last correction, or kept from the one before
     bool columns_are_recent = false;  ///< solved in the last correction: a start for those at its end
     linalg::Vector R;
     std::vector<fem::LoadColumn> forces;  ///< f_k, -dR/dlambda

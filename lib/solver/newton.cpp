@@ -19,8 +19,10 @@ constexpr double share_of_linear_solves = 0.1;
 constexpr double loosest_linear_tolerance = 1e-2;
 /// With a new factor; one iteration reaches it. Newton's method corrects the rest.
 constexpr double tolerance_with_new_factor = 1e-5;
-/// With more iterations than this, or than half the cost of a factorisation, a new factor is cheaper.
+/// With more iterations than this in a solve a new factor is cheaper, unless all solves of a Newton iteration take less than this share of
+/// the time of a factorisation.
 constexpr int max_iterations_with_kept_factor = 6;
+constexpr double share_of_factorization = 0.7;
 /// The first correction after a predictor may raise the residual of a nearly incompressible solid before it falls.
 constexpr double first_iteration_rise = 20.0;
 /// Times change_by_digits: bound of a residual that is rounding (0.1 to 2 times it, in rubber stretched fivefold to fortyfold).
@@ -203,8 +205,9 @@ bool Newton::solve_with_kept_factor(const Correction& now) {
         return false;
     const double enough =
         now.residual > 0.0 ? share_of_linear_solves * now.aim / now.residual : loosest_linear_tolerance;
-    const int limit = std::max(max_iterations_with_kept_factor,
-                               static_cast<int>(0.5 * bordered_.linear.iterations_per_factorization()));
+    const auto solves = static_cast<double>(now.loads_stay ? 1 : 1 + bordered_.forces.size());
+    const double cheap = share_of_factorization * bordered_.linear.iterations_per_factorization() / solves;
+    const int limit = std::max(max_iterations_with_kept_factor, static_cast<int>(cheap));
     linalg::SolveSettings how{linalg::Factor::stale, std::min(enough, loosest_linear_tolerance), limit};
     SOFT_PETSC(VecScale(bordered_.R, -1.0));
     const auto solve = [&](Vec b, Vec x) { return bordered_.linear.solve(b, x, how); };

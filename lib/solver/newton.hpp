@@ -70,7 +70,7 @@ public:
 
     /// Moves `state` to equilibrium with c = target. On failure `state` holds the last admissible iterate.
     [[nodiscard]] NewtonResult correct(const Constraint& constraint, double target, State& state);
-    /// The next correction starts close to where the last one ended, with its factor.
+    /// The next correction starts where the last one ended, with its factor. The inertia of the tangent after it may be that of this factor.
     void keep_factor() { keeps_factor_ = true; }
 
     /// Tangent of the path at a converged state. Its inertia comes from the factor of the last correction if there was one

@@ -159,15 +159,14 @@ std::optional<RowState> RefinedPath::solve(const RowState& coarse, RowPosition p
     PathPoint near;
     near.outputs = coarse.step.outputs;
     read_values(system_, *loads_, &near, point);
+    if (last_ && keep == Keep::fields)
+        point.load_work_J = last_->load_work_J + work_between(system_, *last_, point, of_last_);
+    RowState row{step_of(system_, point, 1.0), {}, {}, {}, {}};
+    row.step.stage = coarse.step.stage;
     if (keep == Keep::values) {
-        RowState row{step_of(system_, point, 1.0), {}, {}, {}, {}};
         accept(std::move(point));
         return row;
     }
-    if (last_) point.load_work_J = last_->load_work_J + work_between(system_, *last_, point, of_last_);
-    of_last_ = FromTangent::along_the_path;
-    RowState row{step_of(system_, point, 1.0), {}, {}, {}, {}};
-    row.step.stage = coarse.step.stage;
     row.step.stable = coarse.step.stable;
     row.step.stable_under_control = coarse.step.stable_under_control;
     row.step.newton_iterations = work().iterations - before.iterations;
@@ -186,6 +185,7 @@ void RefinedPath::accept(PathPoint point) {
     system_.prescribe(point.levels);
     system_.accept_step(point.state.x);
     last_ = std::move(point);
+    of_last_ = FromTangent::along_the_path;
 }
 
 }  // namespace soft::solver

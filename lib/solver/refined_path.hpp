@@ -25,9 +25,9 @@ public:
     /// `fine`: the system of the same case on the mesh of `refined`. Both must outlive it.
     RefinedPath(fem::System& fine, const mesh::Refined& refined);
 
-    /// Call for the rows in the order of the path, `first` only for the first. The result's stability is that of the coarse row; its fields
-    /// are omitted with Keep::values, and so are slopes, work, energies and stretches: such a row is only compared. nullopt where Newton's
-    /// method does not converge.
+    /// Call for the rows in the order of the path, `first` only for the first. The result's stability is that of the coarse row. With
+    /// Keep::values it has its load, volumes, outputs and stage alone: such a row is only compared. nullopt where Newton's method does not
+    /// converge.
     enum class Keep { fields, values };
     [[nodiscard]] std::optional<RowState> solve(const RowState& coarse, RowPosition position, Keep keep);
 

@@ -347,6 +347,11 @@ INSTANTIATE_TEST_SUITE_P(
             "test: geometry.strip.angle: model 'quarter' assumes a symmetry that a strip breaks; use model: solid or half"},
         Refusal{
             "bellows",
+            "half",
+            {{"geometry.strip.angle", "179 deg"}},
+            "test: geometry.strip.angle: cells of less than 1 deg around the axis; use 0, 180 deg, or between 2 and 178 deg"},
+        Refusal{
+            "bellows",
             "axisymmetric",
             {{"geometry.crest_radius", "9 mm"}},
             "test: geometry.crest_radius: 9 mm leaves no straight wall between trough and crest; use a value above 9 mm"},

@@ -199,15 +199,17 @@ TEST(FiberTube, StripKeepsItsFibres) {
                                 "model: half\n" + materials));
     EXPECT_NEAR(1e9 * strip_m3(inner) / (20 * 1 * 100), 1, 1e-12);
     EXPECT_EQ(material_of(inner, "fibers_flat").law, "yeoh");
-    for (const char* model : {"half", "solid"}) {
-        const auto round = build_case(
-            fiber_design("strip: {angle: 72 deg, material: cloth}, fibers: {layer: [0.5, 1]}",
-                         std::string{"mesh: {sectors: 5}\nmodel: "} + model + "\n" + materials));  // even cells
-        double rubber_m3 = 0;
-        for (const std::string& region : round.mesh.region_names) rubber_m3 += region_m3(round, region);
-        EXPECT_NEAR(strip_m3(round) / rubber_m3, 0.2, 1e-12) << model;
-        EXPECT_EQ(material_of(round, "fibers").law, "yeoh");
-    }
+    // The share of the strip is exact up to the area errors of curved cells, which are equal where all cells turn by the same angle.
+    for (const auto& [sectors, rounding] : {std::pair{"5", 1e-12}, std::pair{"auto", 2e-5}})
+        for (const char* model : {"half", "solid"}) {
+            const auto round = build_case(
+                fiber_design("strip: {angle: 72 deg, material: cloth}, fibers: {layer: [0.5, 1]}",
+                             std::string{"mesh: {sectors: "} + sectors + "}\nmodel: " + model + "\n" + materials));
+            double rubber_m3 = 0;
+            for (const std::string& region : round.mesh.region_names) rubber_m3 += region_m3(round, region);
+            EXPECT_NEAR(strip_m3(round) / rubber_m3, 0.2, rounding) << model;
+            EXPECT_EQ(material_of(round, "fibers").law, "yeoh");
+        }
 }
 
 TEST(FiberTube, RejectsUnsuitableStripsAndFlatWalls) {

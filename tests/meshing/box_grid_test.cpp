@@ -69,9 +69,13 @@ TEST(GrowingShares, BeginAtTheSharpEndsAndGrowUpToTheSize) {
     expect_lengths(1.5, {true, true}, {0.75, 0.75});  // two of 1 are enough
     expect_lengths(12, {false, false}, {4, 4, 4});
     EXPECT_EQ(growing_shares(1, 3, spacing, {true, true}).size(), 3u);
-    const Spacing stretched{4, {1, 1, 1}, 4, 2, 1.5};
+    Spacing stretched{4, {1, 1, 1}, 4, 2, 1.5};
     EXPECT_EQ(growing_shares(1.5, 1, stretched, {true, true}).size(), 1u);
     EXPECT_EQ(growing_shares(1.6, 1, stretched, {true, true}).size(), 2u);
+    stretched.one_sided_stretch = 2;
+    EXPECT_EQ(growing_shares(2, 1, stretched, {true, false}).size(), 1u);
+    EXPECT_EQ(growing_shares(2.1, 1, stretched, {false, true}).size(), 2u);
+    EXPECT_EQ(growing_shares(2, 1, stretched, {true, true}).size(), 2u);
 }
 
 TEST(BoxGrid, CountsTheCellsOfGrowingLengths) {

@@ -210,6 +210,15 @@ TEST(Accuracy, StagesEndAtTheirLoadsAndClosedGasKeepsItsMass) {
         EXPECT_NEAR(mass(rows[i + 1].step) / mass(rows[i].step), 1, 1e-8);
     }
     EXPECT_NEAR(rows.back().step.pressure_Pa, 1e3, 1e-6);
+    // The same rows where the finer mesh is the last one, and where it is not.
+    const auto last = estimate_errors(input, two_meshes(input, 0.5)), other = estimate_errors(input, tolerance(0.5));
+    ASSERT_EQ(last.accuracy.finer.size(), other.accuracy.finer.size());
+    for (std::size_t i = 0; i < last.accuracy.finer.size(); ++i) {
+        const model::Step &values = last.accuracy.finer[i], &row = other.accuracy.finer[i];
+        EXPECT_EQ(values.stage, row.stage);
+        EXPECT_NEAR(values.pressure_Pa, row.pressure_Pa, 1e-6 * (1 + row.pressure_Pa));
+        EXPECT_NEAR(*values.volume_m3 / *row.volume_m3, 1, 1e-8);
+    }
 }
 
 TEST(Accuracy, ReportsTheLimitThatStopsTheRefinement) {
