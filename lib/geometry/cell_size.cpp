@@ -95,7 +95,8 @@ std::vector<std::string> too_few_through_ring(const CellSize& size, double inner
 }
 
 meshing::Sectors sectors(const design::Values& values) {
-    constexpr double quarter_rad = 0.5 * std::numbers::pi, rounding = 1e-9;
+    using meshing::quarter_rad;
+    constexpr double rounding = 1e-9;
     const int stated = values.count("mesh.sectors");
     const double factor = quality_factor(values);
     if (!values.has("geometry.strip.angle") || values.number("geometry.strip.angle") == 0)

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <stdexcept>
 
@@ -17,8 +16,6 @@ using mesh::Facet;
 using mesh::Index;
 using mesh::Point;
 using swept::Sweep;
-
-constexpr double quarter_rad = 0.5 * std::numbers::pi;
 
 /// A plane through the axis. Those at multiples of a quarter turn are exact, so coordinates on cut planes are exactly zero.
 struct TurnedPlane {

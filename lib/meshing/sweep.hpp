@@ -2,6 +2,7 @@
 /// Section -> solid. Every node of a body of revolution lies on its exact circle.
 /// Facet sets are swept too (sets on the axis vanish); cut planes become the sets symmetry_y and symmetry_z.
 /// Tested by meshing/sweep_test.
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,8 @@ namespace soft::meshing {
 
 /// Share of the body of revolution: quarter: y >= 0 and z >= 0; half: y >= 0; full: closed.
 enum class Turn { quarter, half, full };
+
+inline constexpr double quarter_rad = 0.5 * std::numbers::pi;
 
 /// Cells around the axis, from -z by y to z; the other half of a full turn is the mirror image.
 struct Sectors {
