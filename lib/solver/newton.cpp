@@ -58,6 +58,10 @@ void Newton::set_loads(const StageLoads& loads) {
         rounding_N_ = bordered_.change_by_digits({system.make_vector(), 0.0, {}}, fem::no_loads(system.input()));
 }
 
+PathTangent no_tangent(const State& state) {
+    return {linalg::duplicate(state.x), 0.0, std::vector(state.pressures_Pa.size(), 0.0), std::nullopt, 0.0};
+}
+
 void scale(PathTangent& tangent, double factor) {
     SOFT_PETSC(VecScale(tangent.x, factor));
     tangent.load_factor *= factor;

@@ -54,6 +54,9 @@ struct PathTangent {
     double power = 0;
 };
 
+/// That of a state from which the path does not go on, or whose direction is not needed: zero.
+[[nodiscard]] PathTangent no_tangent(const State& state);
+
 /// Multiplies everything per unit of the path parameter by `factor`.
 void scale(PathTangent& tangent, double factor);
 /// to += factor x term, of the unknowns, the load factor and the pressures

@@ -149,13 +149,10 @@ std::optional<RowState> RefinedPath::solve(const RowState& coarse, RowPosition p
     if (!state) return std::nullopt;
     SOFT_PETSC(VecWAXPY(correction_, -1.0, origin_, state->x));
     corrected_m_ = linalg::norm(origin_);
-    PathPoint point{std::move(*state),
-                    PathTangent{system_.make_vector(), 0, std::vector<double>(loads_->free_supplies().size()), {}, 0}};
-    if (keep == Keep::fields) {
-        auto tangent = corrector_.newton().tangent(nearest_, point.state);
-        if (!tangent) return std::nullopt;
-        point.tangent = std::move(*tangent);
-    }
+    std::optional<PathTangent> tangent =
+        keep == Keep::fields ? corrector_.newton().tangent(nearest_, *state) : std::optional{no_tangent(*state)};
+    if (!tangent) return std::nullopt;
+    PathPoint point{std::move(*state), std::move(*tangent)};
     PathPoint near;
     near.outputs = coarse.step.outputs;
     read_values(system_, *loads_, &near, point);
@@ -163,29 +160,24 @@ std::optional<RowState> RefinedPath::solve(const RowState& coarse, RowPosition p
         point.load_work_J = last_->load_work_J + work_between(system_, *last_, point, of_last_);
     RowState row{step_of(system_, point, 1.0), {}, {}, {}, {}};
     row.step.stage = coarse.step.stage;
-    if (keep == Keep::values) {
-        accept(std::move(point));
-        return row;
-    }
-    row.step.stable = coarse.step.stable;
-    row.step.stable_under_control = coarse.step.stable_under_control;
     row.step.newton_iterations = work().iterations - before.iterations;
     row.step.factorizations = work().factorizations - before.factorizations;
-    read_rubber(system_, point, 1.0, row.step);
-    if (row.step.energies && coarse.step.energies &&
-        !row.step.energies->dissipated_J)  // snaps are found on the first mesh alone
-        row.step.energies->dissipated_J = coarse.step.energies->dissipated_J;
-    if (frequencies_) row.step.frequencies_Hz = frequencies_->evaluate(point.state.x, point.levels);
-    row = row_state(system_, point, 1.0, std::move(row.step));
-    accept(std::move(point));
-    return row;
-}
-
-void RefinedPath::accept(PathPoint point) {
+    if (keep == Keep::fields) row = with_fields(std::move(row.step), point, coarse.step);
     system_.prescribe(point.levels);
     system_.accept_step(point.state.x);
     last_ = std::move(point);
     of_last_ = FromTangent::along_the_path;
+    return row;
+}
+
+RowState RefinedPath::with_fields(model::Step step, const PathPoint& point, const model::Step& coarse) {
+    step.stable = coarse.stable;
+    step.stable_under_control = coarse.stable_under_control;
+    read_rubber(system_, point, 1.0, step);
+    if (step.energies && coarse.energies && !step.energies->dissipated_J)  // snaps are found on the first mesh alone
+        step.energies->dissipated_J = coarse.energies->dissipated_J;
+    if (frequencies_) step.frequencies_Hz = frequencies_->evaluate(point.state.x, point.levels);
+    return row_state(system_, point, 1.0, std::move(step));
 }
 
 }  // namespace soft::solver

@@ -26,7 +26,7 @@ public:
     RefinedPath(fem::System& fine, const mesh::Refined& refined);
 
     /// Call for the rows in the order of the path, `first` only for the first. The result's stability is that of the coarse row. With
-    /// Keep::values it has its load, volumes, outputs and stage alone: such a row is only compared. nullopt where Newton's method does not
+    /// Keep::values it has its load, volumes, outputs, stage and counts alone: such a row is only compared. nullopt where Newton's method does not
     /// converge.
     enum class Keep { fields, values };
     [[nodiscard]] std::optional<RowState> solve(const RowState& coarse, RowPosition position, Keep keep);
@@ -35,7 +35,7 @@ public:
 
 private:
     void set_stage(int stage);
-    void accept(PathPoint point);
+    [[nodiscard]] RowState with_fields(model::Step step, const PathPoint& point, const model::Step& coarse);
     /// The initial guess of a row. Sets nearest_: the arc constraint, or the load factor where the tangent is zero.
     [[nodiscard]] State carry_over(const RowState& coarse);
     [[nodiscard]] std::optional<State> equilibrium(const RowState& coarse, RowPosition position);

@@ -25,7 +25,7 @@ constexpr double series_share = 0.02, longest_first_step = 25.0;
 
 /// The state without a direction, for a path that ends at its start.
 PathPoint point_without_direction(fem::System& system, const StageLoads& loads, State state) {
-    PathTangent none{linalg::duplicate(state.x), 0.0, std::vector(state.pressures_Pa.size(), 0.0), std::nullopt, 0.0};
+    PathTangent none = no_tangent(state);
     PathPoint point{std::move(state), std::move(none)};
     read_values(system, loads, nullptr, point);
     return point;
