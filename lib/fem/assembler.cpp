@@ -14,9 +14,6 @@ namespace {
 /// Enough to make the overhead of a batch negligible.
 constexpr std::size_t cells_per_thread = 16;
 
-/// Entries of all element matrices from which on threads are faster.
-constexpr double entries_of_threads = 2e6;
-
 void add_scaled(Vec out, double factor, std::span<const PetscInt> dofs, std::vector<double> values) {
     if (factor == 0.0) return;
     for (double& value : values) value *= factor;
@@ -92,7 +89,7 @@ void Assembler::find_block_indices(Mat K) {
     for (const auto& group : fe_.groups) {
         blocks.clear();
         for (std::size_t c = 0; c < group.cells.size(); ++c) blocks.push_back(group.dofs_of(c));
-        indices_.groups.emplace_back(K, blocks);
+        indices_.groups.emplace_back(K, blocks, threads_for(fe_, group));
     }
     for (const auto& load : loads_.pressures) {
         blocks.clear();
@@ -105,9 +102,7 @@ void Assembler::add_cells(std::size_t index, const Targets& to, Evaluation& resu
     const CellGroup& group = fe_.groups[index];
     const auto wanted = to.K != nullptr ? material::Wanted::stress_and_tangent : material::Wanted::stress;
     // All threads compute a batch of cells; one thread adds them in order, so that the sums do not depend on the number of threads.
-    const auto dofs_of_all = static_cast<double>(group.dofs.size());
-    const bool is_large = dofs_of_all * dofs_of_all > entries_of_threads * static_cast<double>(group.cells.size());
-    const int threads = is_large ? thread_count(fe_.input.solver.threads) : 1;
+    const int threads = threads_for(fe_, group);
     const std::size_t batch = threads > 1 ? cells_per_thread * static_cast<std::size_t>(threads) : 1;
     std::vector<LocalCell> cells(batch, LocalCell(*group.reference));
     for (std::size_t begin = 0; begin < group.cells.size(); begin += batch) {

@@ -18,25 +18,29 @@ struct PointEnergy {
     double stored_J_m3 = 0, dissipated_J_m3 = 0;  // dissipated: in the step
 };
 
-/// Calls visit(point, energy, location) for every quadrature point of this rank's cells.
+/// Calls visit(point, energy, number) for every quadrature point of this rank's cells, as for_each_point.
 template <class Visit>
-void for_each_energy(const Discretization& fe, LocalState& state, Visit&& visit) {
+void for_each_energy(const Discretization& fe, LocalState& state, const Visit& visit) {
     const auto& steps = state.inelastic_step().points;
-    std::size_t index = 0;
-    for_each_point(fe, state, [&](const PointState& point, const PointLocation& at) {
+    for_each_point(fe, state, [&](const PointState& point, const PointLocation& at, std::size_t number) {
         const double elastic = std::visit(
             [&](const auto& rubber) { return energy_density(fe.input.formulation, rubber, point); }, *at.group.rubber);
-        const material::PointStep step = steps.empty() ? material::PointStep{} : steps[index++];
-        visit(point, PointEnergy{elastic + step.stored_change_J_m3, step.dissipated_J_m3}, at);
+        const material::PointStep step = steps.empty() ? material::PointStep{} : steps[number];
+        visit(point, PointEnergy{elastic + step.stored_change_J_m3, step.dissipated_J_m3}, number);
     });
 }
 
-Vector3 undeformed_position(const mesh::Mesh& mesh, const PointLocation& location) {
-    const auto nodes = mesh.cell_nodes(location.group.cells[location.cell]);
+/// Of the point with this number.
+Vector3 undeformed_position(const Discretization& fe, std::size_t number) {
+    auto group = fe.groups.begin();
+    const auto points_of_cell = [&] { return static_cast<std::size_t>(group->reference->points); };
+    for (; number >= group->cells.size() * points_of_cell(); ++group) number -= group->cells.size() * points_of_cell();
+    const mesh::Mesh& mesh = fe.input.mesh;
+    const auto nodes = mesh.cell_nodes(group->cells[number / points_of_cell()]);
+    const double* N = &group->reference->N[number % points_of_cell() * nodes.size()];
     Vector3 X{};
     for (std::size_t a = 0; a < nodes.size(); ++a)
-        for (std::size_t i = 0; i < 3; ++i)
-            X[i] += location.group.reference->N[location.point * nodes.size() + a] * mesh.point(nodes[a])[i];
+        for (std::size_t i = 0; i < 3; ++i) X[i] += N[a] * mesh.point(nodes[a])[i];
     return X;
 }
 
@@ -93,10 +97,11 @@ void add_nodal_pressures(const Discretization& fe, mesh::Index cell, const std::
 
 double Fields::stored_energy(Vec x) {
     state_.read(x);
-    double energy_J = 0;
-    for_each_energy(fe_, state_, [&](const PointState& point, const PointEnergy& energy, const PointLocation&) {
-        energy_J += point.weight_m3 * (energy.stored_J_m3 + energy.dissipated_J_m3);
+    std::vector<double> energies_J(point_count(fe_));
+    for_each_energy(fe_, state_, [&](const PointState& point, const PointEnergy& energy, std::size_t number) {
+        energies_J[number] = point.weight_m3 * (energy.stored_J_m3 + energy.dissipated_J_m3);
     });
+    double energy_J = std::accumulate(energies_J.begin(), energies_J.end(), 0.0);
     MPI_Allreduce(MPI_IN_PLACE, &energy_J, 1, MPI_DOUBLE, MPI_SUM, fe_.comm);
     const contact::Summary contact = contact_.measure(x);
     return energy_J + state_.internal().dissipated_J() + contact.energy_J + contact.dissipated_J;
@@ -105,24 +110,33 @@ double Fields::stored_energy(Vec x) {
 StretchSummary Fields::stretches(Vec x) {
     const linalg::ScopedTimer timed(linalg::Phase::measures);
     state_.read(x);
-    std::vector<Sample> mine;
+    std::vector<Sample> mine(point_count(fe_));
+    std::vector<PointEnergy> energies(mine.size());
+    std::vector<double> jacobians(mine.size());
+    for_each_energy(fe_, state_, [&](const PointState& point, const PointEnergy& energy, std::size_t number) {
+        const auto eigenvalues = symmetric_eigenvalues(right_cauchy_green(point.F));
+        mine[number] = {std::sqrt(std::max(eigenvalues[0], 0.0)), point.weight_m3};
+        energies[number] = energy;
+        jacobians[number] = determinant(point.F);
+    });
     StretchSummary summary;
     summary.min_jacobian = 1e300;
     struct {
         double stretch;
         int rank;
     } own{0, fe_.rank}, most{};
-    for_each_energy(fe_, state_, [&](const PointState& point, const PointEnergy& energy, const PointLocation& at) {
-        const auto eigenvalues = symmetric_eigenvalues(right_cauchy_green(point.F));
-        mine.push_back({std::sqrt(std::max(eigenvalues[0], 0.0)), point.weight_m3});
-        summary.min_jacobian = std::min(summary.min_jacobian, determinant(point.F));
-        summary.stored_energy_J += point.weight_m3 * energy.stored_J_m3;
-        summary.dissipated_J += point.weight_m3 * energy.dissipated_J_m3;
-        summary.max_energy_J_m3 = std::max(summary.max_energy_J_m3, energy.stored_J_m3);
-        if (mine.back().stretch <= own.stretch) return;
-        own.stretch = mine.back().stretch;
-        summary.max_at_m = undeformed_position(fe_.input.mesh, at);
-    });
+    std::size_t largest = 0;
+    for (std::size_t i = 0; i < mine.size(); ++i) {
+        summary.min_jacobian = std::min(summary.min_jacobian, jacobians[i]);
+        summary.stored_energy_J += mine[i].volume * energies[i].stored_J_m3;
+        summary.dissipated_J += mine[i].volume * energies[i].dissipated_J_m3;
+        summary.max_energy_J_m3 = std::max(summary.max_energy_J_m3, energies[i].stored_J_m3);
+        if (mine[i].stretch > mine[largest].stretch) largest = i;
+    }
+    if (!mine.empty()) {
+        own.stretch = mine[largest].stretch;
+        summary.max_at_m = undeformed_position(fe_, largest);
+    }
     MPI_Allreduce(MPI_IN_PLACE, &summary.min_jacobian, 1, MPI_DOUBLE, MPI_MIN, fe_.comm);
     for (double* sum : {&summary.stored_energy_J, &summary.dissipated_J})
         MPI_Allreduce(MPI_IN_PLACE, sum, 1, MPI_DOUBLE, MPI_SUM, fe_.comm);

@@ -7,6 +7,9 @@ namespace soft::fem {
 
 namespace {
 
+/// Entries of all element matrices from which on threads are faster.
+constexpr double entries_of_threads = 2e6;
+
 /// The unknowns that this rank reads, ascending. Rims and the outputs of whole faces, which rank 0 evaluates, reach beyond its cells.
 std::vector<PetscInt> unknowns_read(const Discretization& fe, std::span<const mesh::Index> nodes) {
     std::vector<char> wanted(static_cast<std::size_t>(fe.dofs.total), 0);
@@ -66,12 +69,17 @@ const InelasticStep& LocalState::inelastic_step() {
     const bool is_known = step_values_ == values_ && step_time_s_ == levels_.time_s;
     if (internal_.is_empty() || (is_known && step_number_ == internal_.accepted_steps())) return step_;
     step_ = {};
-    for_each_point(fe_, *this, [this](const PointState& point, const PointLocation& at) {
-        const material::PointStep& step = step_.points.emplace_back(internal_.step_at(at, point));
-        step_.dissipated_J += point.weight_m3 * step.dissipated_J_m3;
-        step_.error2 += point.weight_m3 * step.error2;
-        step_.stress2 += point.weight_m3 * step.stress2;
+    step_.points.resize(point_count(fe_));
+    std::vector<double> weights_m3(step_.points.size());
+    for_each_point(fe_, *this, [&](const PointState& point, const PointLocation& at, std::size_t number) {
+        step_.points[number] = internal_.step_at(at, point);
+        weights_m3[number] = point.weight_m3;
     });
+    for (std::size_t i = 0; i < weights_m3.size(); ++i) {
+        step_.dissipated_J += weights_m3[i] * step_.points[i].dissipated_J_m3;
+        step_.error2 += weights_m3[i] * step_.points[i].error2;
+        step_.stress2 += weights_m3[i] * step_.points[i].stress2;
+    }
     step_values_ = values_;
     step_time_s_ = levels_.time_s;
     step_number_ = internal_.accepted_steps();
@@ -81,6 +89,18 @@ const InelasticStep& LocalState::inelastic_step() {
 void LocalState::positions(const SurfaceCell& cell, std::vector<double>& x) const {
     x = cell.X;
     for (std::size_t k = 0; k < x.size(); ++k) x[k] += (*this)[cell.dofs[k]];
+}
+
+int threads_for(const Discretization& fe, const CellGroup& group) {
+    const auto dofs_of_all = static_cast<double>(group.dofs.size());
+    const bool is_large = dofs_of_all * dofs_of_all > entries_of_threads * static_cast<double>(group.cells.size());
+    return is_large ? thread_count(fe.input.solver.threads) : 1;
+}
+
+std::size_t point_count(const Discretization& fe) {
+    std::size_t count = 0;
+    for (const auto& group : fe.groups) count += group.cells.size() * static_cast<std::size_t>(group.reference->points);
+    return count;
 }
 
 void gather(const Discretization& fe, const LocalState& state, const CellGroup& group, std::size_t index,

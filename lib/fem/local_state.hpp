@@ -10,12 +10,13 @@
 #include "fem/load_levels.hpp"
 #include "fem/solid_kernel.hpp"
 #include "fem/surface_cell.hpp"
+#include "math/threads.hpp"
 
 namespace soft::fem {
 
 /// The step of the inelastic materials to a state, at this rank's points.
 struct InelasticStep {
-    std::vector<material::PointStep> points;           ///< in the order of for_each_point
+    std::vector<material::PointStep> points;           ///< by the number of for_each_point
     double dissipated_J = 0, error2 = 0, stress2 = 0;  ///< integrals over the volume
 };
 
@@ -80,22 +81,35 @@ void gather(const Discretization& fe, const LocalState& state, const CellGroup& 
 void integrate(const Discretization& fe, const LocalState& state, const CellGroup& group, std::size_t index,
                material::Wanted wanted, LocalCell& cell);
 
-/// Calls visit(point, location) for every quadrature point of this rank's cells.
+/// Threads for a loop over the cells of a group: 1 for small groups. The results do not depend on it.
+[[nodiscard]] int threads_for(const Discretization& fe, const CellGroup& group);
+
+/// Calls visit(point, location, number) for every quadrature point of this rank's cells, in any order, by several threads; `number` counts
+/// the points of all groups.
 template <class Visit>
-void for_each_point(const Discretization& fe, const LocalState& state, Visit&& visit) {
-    std::vector<PointState> points;
+void for_each_point(const Discretization& fe, const LocalState& state, const Visit& visit) {
+    std::size_t first = 0;
     for (const auto& group : fe.groups) {
-        LocalCell cell(*group.reference);
+        const auto per_cell = static_cast<std::size_t>(group.reference->points);
         const auto frame = std::visit([](const auto& rubber) { return rubber.fiber_frame; }, *group.rubber);
-        for (std::size_t c = 0; c < group.cells.size(); ++c) {
-            gather(fe, state, group, c, cell);
-            points.clear();
-            sample_cell(*group.reference, fe.input.kinematics, frame, cell.input(fe.dofs.pressure_scale_Pa),
-                        cell.out.points, points);
-            for (std::size_t q = 0; q < points.size(); ++q) visit(points[q], PointLocation{group, c, q});
-        }
+        for_ranges(group.cells.size(), threads_for(fe, group), [&](std::size_t begin, std::size_t end) {
+            LocalCell cell(*group.reference);
+            std::vector<PointState> points;
+            for (std::size_t c = begin; c < end; ++c) {
+                gather(fe, state, group, c, cell);
+                points.clear();
+                sample_cell(*group.reference, fe.input.kinematics, frame, cell.input(fe.dofs.pressure_scale_Pa),
+                            cell.out.points, points);
+                for (std::size_t q = 0; q < per_cell; ++q)
+                    visit(points[q], PointLocation{group, c, q}, first + c * per_cell + q);
+            }
+        });
+        first += group.cells.size() * per_cell;
     }
 }
+
+/// Number of quadrature points of this rank's cells.
+[[nodiscard]] std::size_t point_count(const Discretization& fe);
 
 /// Collects the derivative of a scalar by the unknowns (`by_x` is overwritten; nullptr if not needed) and by the level of each motion
 /// (overwritten; empty if not needed).

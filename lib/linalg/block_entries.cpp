@@ -1,12 +1,13 @@
 #include "linalg/block_entries.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
-#include <optional>
 #include <string>
 
 #include "core/error.hpp"
 #include "linalg/matrix_rows.hpp"
+#include "math/threads.hpp"
 
 namespace soft::linalg {
 
@@ -104,18 +105,18 @@ bool contains_block(Mat K, std::span<const PetscInt> dofs) {
     return true;
 }
 
-BlockIndices::BlockIndices(Mat K, std::span<const std::span<const PetscInt>> blocks) {
+BlockIndices::BlockIndices(Mat K, std::span<const std::span<const PetscInt>> blocks, int threads) {
     for (const auto block : blocks) {
         blocks_.push_back({dofs_.size(), indices_.size()});
         dofs_.insert(dofs_.end(), block.begin(), block.end());
         indices_.resize(indices_.size() + block.size() * block.size(), omitted);
     }
     blocks_.push_back({dofs_.size(), indices_.size()});
-    if (!find_indices(K)) indices_.clear();
+    if (!find_indices(K, threads)) indices_.clear();
 }
 
 /// Runs row by row over all blocks that contribute to the row. Returns false if an index does not fit in 16 bits.
-bool BlockIndices::find_indices(Mat K) {
+bool BlockIndices::find_indices(Mat K, int threads) {
     struct Part {
         std::size_t block, first_index;
     };
@@ -130,31 +131,32 @@ bool BlockIndices::find_indices(Mat K) {
                 parts_of_row[static_cast<std::size_t>(row - begin)].push_back({b, blocks_[b].indices + i * size});
     }
     const Parts parts = parts_of(K);
-    RowIndices own(rows_of(parts.diagonal), last - first);
-    std::optional<RowIndices> rest;
-    if (parts.rest != nullptr) {
-        SOFT_PETSC(MatGetSize(parts.rest, nullptr, &rest_columns));
-        rest.emplace(rows_of(parts.rest), rest_columns);
-    }
-    const auto index_in_row = [&](PetscInt column) {
-        if (column >= first && column < last) return own[column - first];
-        const PetscInt* known = std::lower_bound(parts.columns, parts.columns + rest_columns, column);
-        return own.length() + (*rest)[static_cast<PetscInt>(known - parts.columns)];
-    };
-    for (PetscInt row = 0; row < end - begin; ++row) {
-        own.set_row(row);
-        if (rest) rest->set_row(row);
-        for (const auto& [block, first_index] : parts_of_row[static_cast<std::size_t>(row)]) {
-            std::uint16_t* found = indices_.data() + first_index;
-            for (std::size_t d = blocks_[block].dofs; d < blocks_[block + 1].dofs; ++d, ++found) {
-                if (dofs_[d] < 0) continue;
-                const PetscInt in_row = index_in_row(dofs_[d]);
-                if (in_row >= omitted) return false;
-                *found = static_cast<std::uint16_t>(in_row);
+    if (parts.rest != nullptr) SOFT_PETSC(MatGetSize(parts.rest, nullptr, &rest_columns));
+    const MatrixRows own_rows = rows_of(parts.diagonal),
+                     rest_rows = parts.rest == nullptr ? MatrixRows{} : rows_of(parts.rest);
+    std::atomic<bool> is_too_long = false;
+    for_ranges(parts_of_row.size(), threads, [&](std::size_t from, std::size_t to) {
+        RowIndices own(own_rows, last - first), rest(rest_rows, rest_columns);
+        const auto index_in_row = [&](PetscInt column) {
+            if (column >= first && column < last) return own[column - first];
+            const PetscInt* known = std::lower_bound(parts.columns, parts.columns + rest_columns, column);
+            return own.length() + rest[static_cast<PetscInt>(known - parts.columns)];
+        };
+        for (std::size_t row = from; row < to && !is_too_long; ++row) {
+            own.set_row(static_cast<PetscInt>(row));
+            if (parts.rest != nullptr) rest.set_row(static_cast<PetscInt>(row));
+            for (const auto& [block, first_index] : parts_of_row[row]) {
+                std::uint16_t* found = indices_.data() + first_index;
+                for (std::size_t d = blocks_[block].dofs; d < blocks_[block + 1].dofs; ++d, ++found) {
+                    if (dofs_[d] < 0) continue;
+                    const PetscInt in_row = index_in_row(dofs_[d]);
+                    if (in_row >= omitted) is_too_long = true;
+                    *found = static_cast<std::uint16_t>(in_row);
+                }
             }
         }
-    }
-    return true;
+    });
+    return !is_too_long;
 }
 
 BlockAdder::BlockAdder(Mat K) : K_(K) {

@@ -22,12 +22,12 @@ class BlockIndices {
 public:
     BlockIndices() = default;
     /// `blocks` contains the rows (= columns) of each block; -1 omits an unknown. Throws Error (internal) for an entry that is not in
-    /// the pattern.
-    BlockIndices(Mat K, std::span<const std::span<const PetscInt>> blocks);
+    /// the pattern. `threads`: for the search only.
+    BlockIndices(Mat K, std::span<const std::span<const PetscInt>> blocks, int threads = 1);
 
 private:
     friend class BlockAdder;
-    [[nodiscard]] bool find_indices(Mat K);
+    [[nodiscard]] bool find_indices(Mat K, int threads);
 
     struct Block {
         std::size_t dofs, indices;  // begin of the block in dofs_ and indices_

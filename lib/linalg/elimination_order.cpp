@@ -24,10 +24,6 @@ constexpr std::size_t smallest_part = 50;
 /// two vertices at their ends dominate, the order of tetrahedra needs 10 to 20 % more flops.
 constexpr int many_dominators = 3;
 
-std::span<const PetscInt> columns_of(const MatrixRows& rows, PetscInt row) {
-    return {rows.columns + rows.begin[row], rows.columns + rows.begin[row + 1]};
-}
-
 /// A group is dominated by a neighbour that couples with all of its other neighbours, and with more: eliminated just before that one, it
 /// adds no couplings.
 struct Dominated {

@@ -56,7 +56,18 @@ LinearSolver::LinearSolver(Mat K, Symmetry symmetry, const LinearSettings& setti
     else
         use_factorization(symmetry == Symmetry::symmetric ? Choice::multifrontal : Choice::lu);
     SOFT_PETSC(KSPSetFromOptions(ksp_));
+    use_threads_for_products();
     set_operators();
+}
+
+void LinearSolver::use_threads_for_products() {
+    PetscBool sequential = PETSC_FALSE;
+    MatInfo entries;
+    SOFT_PETSC(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(K_), MATSEQAIJ, &sequential));
+    SOFT_PETSC(MatGetInfo(K_, MAT_LOCAL, &entries));
+    const bool is_large = sequential == PETSC_TRUE && entries.nz_used > entries_of_threaded_product;
+    if (is_large && settings_.method == LinearMethod::automatic)
+        product_ = std::make_unique<ThreadedProduct>(K_, threads_);
 }
 
 void LinearSolver::pattern_changed() {
@@ -64,6 +75,7 @@ void LinearSolver::pattern_changed() {
     order_.clear();
     if (settings_.method == LinearMethod::automatic) use_factorization(choice_);
     if (multigrid_) multigrid_->attach(preconditioner());
+    use_threads_for_products();
     set_operators();
 }
 
@@ -131,7 +143,8 @@ void LinearSolver::set_levels(ElementLevels levels) {
 
 void LinearSolver::set_operators() {
     const bool given = settings_.method == LinearMethod::jacobian_free && operator_ != nullptr;
-    SOFT_PETSC(KSPSetOperators(ksp_, given ? operator_ : K_, K_));
+    const Mat product = product_ ? product_->operation() : K_;
+    SOFT_PETSC(KSPSetOperators(ksp_, given ? operator_ : product, K_));
 }
 
 PetscErrorCode LinearSolver::set_up() {

@@ -18,6 +18,7 @@
 #include "linalg/factors.hpp"
 #include "linalg/multigrid.hpp"
 #include "linalg/petsc.hpp"
+#include "linalg/threaded_product.hpp"
 #include "math/linear_settings.hpp"
 
 namespace soft::linalg {
@@ -48,8 +49,8 @@ struct SolveSettings {
 class LinearSolver {
 public:
     /// PETSc options (-ksp_*, -pc_*, -mat_mumps_*) override the defaults. Throws Error (bad_input) for a library that PETSc was built
-    /// without, and for CHOLMOD on several ranks. `threads` (math/threads.hpp) are used by factorisations of method
-    /// automatic; the results do not depend on their number.
+    /// without, and for CHOLMOD on several ranks. `threads` (math/threads.hpp) are used by factorisations and
+    /// products of method automatic; the results do not depend on their number.
     /// `last`: the unknowns of unsymmetric entries of a K that is called symmetric (multifrontal.hpp).
     explicit LinearSolver(Mat K, Symmetry symmetry = Symmetry::symmetric, const LinearSettings& settings = {},
                           int threads = 0, std::vector<PetscInt> last = {});
@@ -91,6 +92,7 @@ public:
     [[nodiscard]] KSP ksp() const noexcept { return ksp_; }
 
 private:
+    void use_threads_for_products();
     void set_operators();
     [[nodiscard]] PetscErrorCode set_up();
     /// The factorisations that method automatic tries, in this order.
@@ -113,6 +115,7 @@ private:
     std::vector<PetscInt> last_;    // unknowns that the multifrontal factor eliminates last
     std::unique_ptr<Factors> own_;  // used by the preconditioner of ksp_, which is destroyed first
     std::unique_ptr<Multigrid> multigrid_;
+    std::unique_ptr<ThreadedProduct> product_;  // of large matrices
     KrylovSolver ksp_;
     double iterations_per_factorization_ = 0;
     int factorizations_ = 0;

@@ -1,6 +1,7 @@
 #pragma once
 /// The rows of a sequential AIJ matrix as PETSc stores them, not owned.
 /// Tested by linalg/block_entries_test and linalg/multifrontal_test.
+#include <span>
 #include <vector>
 
 #include "linalg/petsc.hpp"
@@ -21,6 +22,10 @@ struct MatrixRows {
     SOFT_PETSC(MatSeqAIJGetCSRAndMemType(sequential, &rows.begin, &rows.columns, &values, nullptr));
     rows.values = values;
     return rows;
+}
+
+[[nodiscard]] inline std::span<const PetscInt> columns_of(const MatrixRows& rows, PetscInt row) {
+    return {rows.columns + rows.begin[row], rows.columns + rows.begin[row + 1]};
 }
 
 /// The unknowns of the entries K_ij that differ from K_ji, of a sequential K with a symmetric pattern.

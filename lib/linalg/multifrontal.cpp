@@ -104,9 +104,12 @@ double contraction_of(const Front& front, const std::vector<double>& A, std::siz
 
 std::vector<double> bounded_diagonal(const MatrixRows& rows) {
     std::vector<double> own(static_cast<std::size_t>(rows.count), 0.0);
-    for (PetscInt row = 0; row < rows.count; ++row)
-        for (PetscInt k = rows.begin[row]; k < rows.begin[row + 1]; ++k)
-            if (rows.columns[k] == row) own[static_cast<std::size_t>(row)] = rows.values[k];
+    for (PetscInt row = 0; row < rows.count; ++row) {
+        const auto columns = columns_of(rows, row);
+        const auto found = std::ranges::lower_bound(columns, row);
+        if (found != columns.end() && *found == row)
+            own[static_cast<std::size_t>(row)] = rows.values[rows.begin[row] + (found - columns.begin())];
+    }
     std::vector<double> bounded = own;
     for (PetscInt row = 0; row < rows.count; ++row) {
         double& diagonal = bounded[static_cast<std::size_t>(row)];

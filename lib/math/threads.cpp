@@ -3,6 +3,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <exception>
 #include <mutex>
 #include <system_error>
 #include <thread>
@@ -40,6 +41,21 @@ int thread_count(int stated) {
         asked = wanted;
     }
     return std::min(wanted, started);
+}
+
+void for_ranges(std::size_t count, int threads, const std::function<void(std::size_t begin, std::size_t end)>& work) {
+    const auto parts = static_cast<std::size_t>(std::max(threads, 1));
+    std::vector<std::exception_ptr> thrown(parts);  // an exception must not leave a parallel region
+#pragma omp parallel for num_threads(threads) schedule(static) if (threads > 1)
+    for (std::size_t part = 0; part < parts; ++part) {
+        try {
+            work(count * part / parts, count * (part + 1) / parts);
+        } catch (...) {
+            thrown[part] = std::current_exception();
+        }
+    }
+    for (const std::exception_ptr& exception : thrown)
+        if (exception) std::rethrow_exception(exception);
 }
 
 }  // namespace soft
