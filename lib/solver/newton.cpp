@@ -19,6 +19,8 @@ constexpr double share_of_linear_solves = 0.1;
 constexpr double loosest_linear_tolerance = 1e-2;
 /// With a new factor; one iteration reaches it. Newton's method corrects the rest.
 constexpr double tolerance_with_new_factor = 1e-5;
+/// With a kept factor, where a change is accepted: far below the factor by which increments shrink.
+constexpr double tolerance_of_comparison = 1e-4;
 /// With more iterations than this in a solve a new factor is cheaper, unless all solves of a Newton iteration take less than this share of
 /// the time of a factorisation.
 constexpr int max_iterations_with_kept_factor = 6;
@@ -141,6 +143,7 @@ NewtonResult Newton::correct_by(model::LineSearch line_search, const Constraint&
         if (found.end != SearchEnd::found)
             return report(found.end == SearchEnd::inverted ? NewtonEnd::inverted : NewtonEnd::no_descent);
         now.residual = found.trial.residual;
+        now.change_before = std::exchange(now.change, linalg::norm(correction_) / linalg::norm(trial.x));
         if (bordered_.settings.newton == model::NewtonMethod::bfgs) add_secant_pair(found.length);
         std::swap(state, trial);
     }
@@ -160,6 +163,7 @@ std::optional<NewtonEnd> Newton::check_convergence(const State& state, Correctio
     if (!std::isfinite(now.residual) || !std::isfinite(now.missing)) return NewtonEnd::not_finite;
     if (now.residual <= now.aim && supplied && std::abs(now.missing) <= now.constraint_tolerance)
         return NewtonEnd::converged;
+    if (is_close(now)) return NewtonEnd::converged;
     if (now.result.iterations == bordered_.settings.newton_limit) return NewtonEnd::iteration_limit;
     return std::nullopt;
 }
@@ -171,6 +175,16 @@ bool Newton::is_rounding(const State& state, const Correction& now) {
     if (std::abs(now.missing) > now.constraint_tolerance) return false;
     const auto levels = bordered_.loads().levels(state.load_factor, state.pressures_Pa);
     return now.residual <= rounding_margin * bordered_.change_by_digits(state, levels);
+}
+
+/// For accept_change().
+bool Newton::is_close(const Correction& now) const {
+    if (now.result.iterations < 2 || accepted_change_ == 0.0) return false;
+    const bool loads_are_close = std::ranges::all_of(
+        bordered_.supply, [&](const SupplyEquation& equation) { return std::abs(equation.value) <= accepted_change_; });
+    const double of_tolerance = accepted_change_ / bordered_.settings.residual_tolerance;
+    return loads_are_close && std::abs(now.missing) <= of_tolerance * now.constraint_tolerance &&
+           now.change < now.change_before && now.change * now.change <= accepted_change_ * now.change_before;
 }
 
 linalg::LinearSolve Newton::solve_updated(Vec b, Vec x, double tolerance) {
@@ -207,8 +221,9 @@ bool Newton::solve_with_kept_factor(const Correction& now) {
     if (!bordered_.factor_is_recent || bordered_.uses_differences() || !bordered_.linear.is_direct() ||
         now.residual > little_left * residual_at_factor_)
         return false;
-    const double enough =
-        now.residual > 0.0 ? share_of_linear_solves * now.aim / now.residual : loosest_linear_tolerance;
+    const double exact =
+                     now.residual > 0.0 ? share_of_linear_solves * now.aim / now.residual : loosest_linear_tolerance,
+                 enough = accepted_change_ > 0.0 ? std::max(exact, tolerance_of_comparison) : exact;
     const auto solves = static_cast<double>(now.loads_stay ? 1 : 1 + bordered_.forces.size());
     const double cheap = share_of_factorization * bordered_.linear.iterations_per_factorization() / solves;
     const int limit = std::max(max_iterations_with_kept_factor, static_cast<int>(cheap));

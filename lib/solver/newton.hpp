@@ -76,6 +76,10 @@ public:
     /// The next correction starts where the last one ended, with its factor. The inertia of the tangent after it may be that of this factor.
     void keep_factor() { keeps_factor_ = true; }
 
+    /// Later corrections of states that are only compared end where the next increment is expected to be shorter than this part of the
+    /// unknowns: increments shrink at least by the factor of the last two (Newton's method: by its square).
+    void accept_change(double relative) { accepted_change_ = relative; }
+
     /// Tangent of the path at a converged state. Its inertia comes from the factor of the last correction if there was one
     /// (that state differs from this one by less than the last correction squared), else from a new factor. nullopt where K is
     /// singular or the linear solver fails: tangent_end() gives the reason.
@@ -134,7 +138,8 @@ private:
         fem::Evaluation evaluation;  // the last
         double residual = 0;         // |R| at the state
         double first_force_scale = 0, constraint_tolerance = 0;
-        double missing = 0;       // of the constraint: target - c
+        double missing = 0;                    // of the constraint: target - c
+        double change = 0, change_before = 0;  // of the unknowns in the last two iterations, relative to them
         bool loads_stay = false;  // the loads equal those of the target: the increment is K^-1 (-R), without columns
         double aim = 0;           // |R| that counts as equilibrium
         model::LineSearch line_search = model::LineSearch::backtracking;
@@ -151,6 +156,7 @@ private:
                                           State& state);
     [[nodiscard]] std::optional<NewtonEnd> check_convergence(const State& state, Correction& now);
     [[nodiscard]] bool is_rounding(const State& state, const Correction& now);
+    [[nodiscard]] bool is_close(const Correction& now) const;
     [[nodiscard]] std::optional<NewtonEnd> solve_blocks(const State& state, const Correction& now);
     /// True if the previous factor was good enough for this iteration.
     [[nodiscard]] bool solve_with_kept_factor(const Correction& now);
@@ -174,6 +180,7 @@ private:
     double rounding_N_ = 0;
     double residual_at_factor_ = 0;  // |R| where the factor was computed
     bool keeps_factor_ = false;      // for the next correction
+    double accepted_change_ = 0;
     bool linear_limit_met_ = false;  // in the last iteration
     NewtonEnd tangent_end_ = NewtonEnd::converged;
     bool loses_digits_ = false;  // K^-1 at the last tangent

@@ -12,6 +12,9 @@ namespace {
 /// Relative tolerance to find the goal that ended a stage from the transferred state: the largest change due to the mesh.
 constexpr double meets_goal = 5e-3;
 
+/// Change of the unknowns that is left in rows that are only compared: meshes differ by 1e-3 or more.
+constexpr double enough_to_compare = 1e-5;
+
 /// Bound of the extrapolation of the difference between the meshes.
 constexpr double max_growth = 2;
 
@@ -144,6 +147,7 @@ std::optional<State> RefinedPath::follow_from_last(const RowState& coarse) {
 
 std::optional<RowState> RefinedPath::solve(const RowState& coarse, RowPosition position, Keep keep) {
     set_stage(coarse.step.stage);
+    if (keep == Keep::values) corrector_.newton().accept_change(enough_to_compare);
     const WorkCount before = work();
     auto state = equilibrium(coarse, position);
     if (!state) return std::nullopt;

@@ -147,5 +147,32 @@ TEST(NewtonMethods, TheResidualMeetsTheTolerance) {
     }
 }
 
+TEST(NewtonMethods, EndsWhereAnAcceptedChangeIsLeft) {
+    const auto input = pulled_box(false);
+    const auto solved = [&](double accepted) {
+        Bench bench(input, input.solver);
+        bench.newton.accept_change(accepted);
+        State state = bench.rest();
+        const auto result = bench.newton.correct({ConstraintKind::load_factor}, 0.3, state);
+        EXPECT_EQ(result.end, NewtonEnd::converged);
+        return std::pair(linalg::gather(state.x), result.iterations);
+    };
+    const auto [exact, most] = solved(0.0);
+    int iterations = 0;
+    EXPECT_LT(solved(1e-1).second, most);
+    for (const double accepted : {1e-1, 1e-3, 1e-5}) {
+        const auto [x, needed] = solved(accepted);
+        double left = 0, size = 0;
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            left = std::hypot(left, x[i] - exact[i]);
+            size = std::hypot(size, exact[i]);
+        }
+        EXPECT_LE(left, accepted * size);
+        EXPECT_GE(needed, iterations);
+        iterations = needed;
+    }
+    EXPECT_LE(iterations, most);
+}
+
 }  // namespace
 }  // namespace soft::solver
