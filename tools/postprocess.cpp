@@ -60,7 +60,7 @@ ExitCode postprocess(const PostprocessOptions& options) {
         post::keep_cycle(result.model, options.cycle, result.steps, end);
         if (result.end) result.end = std::move(end);
     }
-    post::Curve curve = post::make_curve(result.model, result.steps);
+    post::Curve curve = post::make_curve(result.model, result.steps, result.end.value_or(model::PathEnd{}));
     if (options.lists_outputs) {
         cli::write_output(options.common.output, post::column_text(curve.columns));
         return ExitCode::ok;

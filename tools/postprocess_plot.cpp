@@ -21,7 +21,8 @@ post::PlotSeries read_other(const std::string& text) {
     cli::Input input = cli::read_hdf5_input(file);
     const io::Result other = io::read_result(std::move(input.bytes), input.source, geometry::rebuild_case);
     if (label.empty()) label = other.model.name;
-    return {label, post::make_curve(other.model, other.steps), other.end.value_or(model::PathEnd{})};
+    model::PathEnd end = other.end.value_or(model::PathEnd{});
+    return {label, post::make_curve(other.model, other.steps, end), std::move(end)};
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ struct Collection {
 /// Also writes the curve to `table`. The engines leave this to sweep-plan because a separate process per design would cost more.
 void add_curve(const io::Result& result, const fs::path& table, const Collection& wanted, sweep::Outcome& outcome) {
     const sweep::Sweep& sweep = wanted.sweep;
-    const post::Curve curve = post::make_curve(result.model, result.steps);
+    const post::Curve curve = post::make_curve(result.model, result.steps, *result.end);
     if (!is_present(table)) cli::write_output(table.string(), post::csv_text(curve));
     sweep::Outputs outputs = sweep::outputs_of(sweep, curve, result.end->limit_points);
     outcome.outputs = std::move(outputs.cells);

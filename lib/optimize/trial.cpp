@@ -248,7 +248,7 @@ Solved solve(const Goal& goal, const Run& run, const design::Design& design, con
     solver::Listeners listeners{.step = [&](const model::Step& step, Vec) { solved.steps.push_back(step); },
                                 .contact = contact_check(system)};
     solved.end = solver::follow_path(system, listeners, nullptr, &sensitivities);
-    solved.curve = post::make_curve(solved.model, solved.steps);
+    solved.curve = post::make_curve(solved.model, solved.steps, solved.end);
     return solved;
 }
 

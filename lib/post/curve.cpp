@@ -245,9 +245,17 @@ void add_derivatives(std::vector<Entry>& entries, const model::Case& model, std:
         while (row > 0 && steps[row].tangent_pressure == 0 && steps[row].tangent_outputs[0] == 0) --row;
         return steps[row].tangent_pressure / steps[row].tangent_outputs[0];
     };
-    if (!is_timed)
+    const auto is_held = [](const Step& step) { return step.tangent_pressure == 0 && step.tangent_outputs[0] != 0; };
+    if (!is_timed) {
+        Column held = plain("load_is_held", Role::stage, "1 where the load is constant along the path, else 0");
+        held.shown = Shown::on_demand;
+        const auto value = [=](const Step& step) {
+            return step.tangent_outputs.empty() ? std::nullopt : Value(is_held(step) ? 1.0 : 0.0);
+        };
+        entries.push_back({.column = std::move(held), .value_SI = value, .is_optional = true});
         add("stiffness", of_load, of_output, "slope of the load over the first output along the path",
             [=](const Step& step) { return step.tangent_outputs.empty() ? std::nullopt : Value(stiffness(step)); });
+    }
     const std::size_t quantities = 1 + model.outputs.size();
     for (std::size_t i = 0; i < model.parameters.size(); ++i) {
         const model::DesignParameter& parameter = model.parameters[i];
@@ -273,6 +281,9 @@ void add_derivatives(std::vector<Entry>& entries, const model::Case& model, std:
                 at_rows([stiffness](const Step& step, const double* D) {
                     return D[1] == 0 ? D[0] : D[0] - stiffness(step) * D[1];
                 }));
+            add(model.outputs.front().name + "_by_" + parameter.key, of_output, by,
+                "derivative of the first output by a number of the design where the load is held; else 0",
+                at_rows([is_held](const Step& step, const double* D) { return is_held(step) ? D[1] : 0; }));
         }
     }
 }
@@ -345,30 +356,13 @@ double in_column_unit(const Column& column, double value_SI) noexcept {
     return value_SI / column.SI_per_unit;
 }
 
-std::string value_text(const Column& column, double value, int digits) {
-    return core::rounded_text(value, digits) + (column.unit.empty() ? "" : " " + column.unit);
-}
-
-const Column* Curve::find(std::string_view quantity) const noexcept {
-    const auto hit = std::ranges::find(columns, quantity, &Column::quantity);
-    return hit == columns.end() ? nullptr : &*hit;
-}
-
-const Column* Curve::find(Source source) const noexcept {
-    const auto hit = std::ranges::find(columns, source, &Column::source);
-    return hit == columns.end() ? nullptr : &*hit;
-}
-
-std::string Curve::coordinate_names() const {
-    std::string names;
-    for (const Column& column : columns)
-        if (column.role == Role::coordinate) names.append(names.empty() ? "" : ", ").append(column.quantity);
-    return names;
-}
-
-Curve make_curve(const model::Case& model, std::span<const model::Step> steps) {
+Curve make_curve(const model::Case& model, std::span<const model::Step> steps, const model::PathEnd& end) {
     check(model, steps);
     Curve curve;
+    for (const model::FirstContact& contact : end.first_contacts)
+        if (!steps[static_cast<std::size_t>(contact.at.step)].motion)  // a body with mass keeps its velocity
+            curve.kinks.push_back(static_cast<std::size_t>(contact.at.step));
+    std::ranges::sort(curve.kinks);
     for (Entry& entry : entries_of(model, steps)) {
         const auto has_value = [&](const Step& step) { return entry.value_SI(step).has_value(); };
         if (entry.is_optional && (steps.empty() || !std::ranges::all_of(steps, has_value))) continue;
@@ -380,21 +374,6 @@ Curve make_curve(const model::Case& model, std::span<const model::Step> steps) {
         if (column.slopes.size() != steps.size()) column.slopes.clear();
     }
     return curve;
-}
-
-std::optional<double> value_at(const Column& column, const model::LimitPoint& point) {
-    switch (column.source) {
-        case Source::load: return in_column_unit(column, point.pressure_Pa);
-        case Source::output:
-            if (column.index >= point.outputs.size()) return std::nullopt;
-            return in_column_unit(column, point.outputs[column.index]);
-        case Source::volume:
-            if (!point.volume_m3) return std::nullopt;
-            return in_column_unit(column, *point.volume_m3);
-        case Source::time:
-        case Source::other: break;
-    }
-    return std::nullopt;
 }
 
 }  // namespace soft::post

@@ -64,6 +64,8 @@ struct Column {
 
 struct Curve {
     std::vector<Column> columns;
+    std::vector<std::size_t>
+        kinks;  ///< rows at which the direction changes, ascending; their slopes are those after it
 
     [[nodiscard]] std::size_t row_count() const noexcept { return columns.empty() ? 0 : columns.front().values.size(); }
     /// The first such column; nullptr if there is none.
@@ -76,9 +78,10 @@ struct Curve {
     [[nodiscard]] std::string coordinate_names() const;
 };
 
-/// `model` is the case as it was solved. Throws Error(bad_input) if a step does not have one value for each output (and for each load
+/// `model` is the case as it was solved. Static paths have kinks at the first contacts of `end`. Throws Error(bad_input) if a step does not have one value for each output (and for each load
 /// and cavity, if there are several), or if a volume or a time is recorded at some steps only.
-[[nodiscard]] Curve make_curve(const model::Case& model, std::span<const model::Step> steps);
+[[nodiscard]] Curve make_curve(const model::Case& model, std::span<const model::Step> steps,
+                               const model::PathEnd& end = {});
 
 /// All possible columns, each once, with name, unit and meaning but no rows. Names chosen in a design appear in angle brackets; outputs
 /// appear by their measure: <displacement>_mm.

@@ -52,7 +52,7 @@ struct Metric {
 /// Speeds at the ends of the interval between two rows, and which recorded directions are used.
 struct Speeds {
     double start, end;
-    enum class Directions { both, second, none } directions = Directions::both;
+    enum class Directions { both, first, second, none } directions = Directions::both;
 };
 
 constexpr double max_ratio = 2;  // of a speed to the chord; above it the directions do not enclose the chord
@@ -73,22 +73,23 @@ Speeds interval_speeds(const Metric& metric, std::size_t row_a, std::size_t row_
     return is_valid(speeds.start) && is_valid(speeds.end) ? speeds : Speeds{chord, chord};
 }
 
-/// Speeds in the first interval of a stage. The direction recorded at its first row belongs to the previous stage, see the header.
-Speeds first_speeds(const Metric& metric, std::size_t row_a, std::size_t row_b) {
+/// Speeds in an interval where only the direction recorded at one of both rows, `known`, belongs to it: the last one of a stage's first
+/// interval, the first one before a kink; see the header.
+Speeds one_sided_speeds(const Metric& metric, std::size_t row_a, std::size_t row_b, std::size_t known) {
     constexpr double noise = 1e-6;  // of the chord: slopes of coordinates that change less are ignored
-    const double chord = metric.distance(row_a, row_b), norm = metric.norm(row_b);
+    const double chord = metric.distance(row_a, row_b), norm = metric.norm(known);
     const Speeds straight{chord, chord, Speeds::Directions::none};
     if (!(chord > 0 && norm > 0)) return straight;
-    const double cosine = metric.along(row_b, row_a, row_b) / (norm * chord), speed = chord / cosine;
+    const double cosine = metric.along(known, row_a, row_b) / (norm * chord), speed = chord / cosine;
     if (!(cosine * max_ratio > 1)) return straight;
     for (std::size_t i = 0; i < metric.columns.size(); ++i) {
         const Column& column = *metric.columns[i];
         const double d = (column.values[row_b] - column.values[row_a]) * metric.inverse_range[i];
-        const double end = column.slopes[row_b] * metric.inverse_range[i] * speed / norm, start = 2 * d - end;
-        for (const double slope : {start, end})
+        const double recorded = column.slopes[known] * metric.inverse_range[i] * speed / norm;
+        for (const double slope : {recorded, 2 * d - recorded})
             if (slope * d < 0 && std::abs(slope) > noise * chord) return straight;
     }
-    return {speed, speed, Speeds::Directions::second};
+    return {speed, speed, known == row_a ? Speeds::Directions::first : Speeds::Directions::second};
 }
 
 /// Root of a monotone piece by bisection to the resolution of doubles.
@@ -126,11 +127,28 @@ std::vector<double> Hermite::monotone_pieces() const {
 
 namespace {
 
-/// Speeds for a motion: slopes are time derivatives, so the speed at a row is the norm of its slopes times the duration.
-Speeds motion_speeds(const Metric& metric, const Column& time, std::size_t row_a, std::size_t row_b, bool enters) {
+/// Speeds in time: slopes are time derivatives, so the speed at a row is the norm of its slopes times the duration.
+Speeds speeds_in_time(const Metric& metric, const Column& time, std::size_t row_a, std::size_t row_b,
+                      Speeds::Directions directions) {
     const double duration = time.values[row_b] - time.values[row_a];
-    return {metric.norm(row_a) * duration, metric.norm(row_b) * duration,
-            enters ? Speeds::Directions::second : Speeds::Directions::both};
+    return {metric.norm(row_a) * duration, metric.norm(row_b) * duration, directions};
+}
+
+/// The recorded directions that belong to an interval.
+Speeds::Directions directions_of(bool enters_a_stage, bool ends_at_a_kink) {
+    if (enters_a_stage) return ends_at_a_kink ? Speeds::Directions::none : Speeds::Directions::second;
+    return ends_at_a_kink ? Speeds::Directions::first : Speeds::Directions::both;
+}
+
+Speeds speeds_of(const Metric& metric, std::size_t row_a, std::size_t row_b, Speeds::Directions directions) {
+    const double chord = metric.distance(row_a, row_b);
+    switch (directions) {
+        case Speeds::Directions::both: return interval_speeds(metric, row_a, row_b);
+        case Speeds::Directions::first: return one_sided_speeds(metric, row_a, row_b, row_a);
+        case Speeds::Directions::second: return one_sided_speeds(metric, row_a, row_b, row_b);
+        case Speeds::Directions::none: break;
+    }
+    return {chord, chord, Speeds::Directions::none};
 }
 
 /// Fraction of the chord that the path has covered in an interval, a cubic of t like the coordinates.
@@ -152,7 +170,7 @@ struct EndSlopes {
     double start, end;
 };
 
-/// Slopes of each interval. `corners` are the rows at which a stage begins. Slopes on both sides of a corner are independent: between
+/// Slopes of each interval. `corners` are the rows at which a stage begins or that are kinks. Slopes on both sides of a corner are independent: between
 /// loading and unloading the energy has a maximum, but its slope is zero on neither side.
 std::vector<EndSlopes> slopes_by_stage(std::span<const double> s, std::span<const double> q,
                                        std::span<const std::size_t> corners) {
@@ -188,11 +206,12 @@ Path::Path(const Curve& curve) : curve_(&curve) {
     for (std::size_t row = 1; row < curve.row_count(); ++row) {
         const std::size_t before = rows_.back();
         const bool enters = stage != nullptr && stage->values[row] != stage->values[before];
-        const Speeds next = time != nullptr ? motion_speeds(metric, *time, before, row, enters)
-                            : enters        ? first_speeds(metric, before, row)
-                                            : interval_speeds(metric, before, row);
+        const bool is_kink = std::ranges::binary_search(curve.kinks, row);
+        const Speeds::Directions known = directions_of(enters, is_kink);
+        const Speeds next =
+            time != nullptr ? speeds_in_time(metric, *time, before, row, known) : speeds_of(metric, before, row, known);
         if (!(next.start + next.end > 0)) continue;
-        if (enters) corners.push_back(rows_.size() - 1);
+        if (enters || std::ranges::binary_search(curve.kinks, before)) corners.push_back(rows_.size() - 1);
         rows_.push_back(row);
         speeds.push_back(next);
         s_.push_back(s_.back() +
@@ -215,8 +234,11 @@ Path::Path(const Curve& curve) : curve_(&curve) {
             double start = slope(i, speeds[i].start, by_rows[i].start * ds),
                    end = slope(i + 1, speeds[i].end, by_rows[i].end * ds);
             if (!known) {
-                end = speeds[i].directions == Speeds::Directions::second ? end : difference;
-                start = 2 * difference - end;
+                if (speeds[i].directions == Speeds::Directions::none) end = difference;
+                if (speeds[i].directions == Speeds::Directions::first)
+                    end = 2 * difference - start;
+                else
+                    start = 2 * difference - end;
                 const bool turns = start * difference < 0 || end * difference < 0;
                 if (time != nullptr && turns) start = end = difference;
             }

@@ -21,9 +21,16 @@ const Column& derivative_of(const Curve& curve, const Column& quantity, const mo
     return *curve.find(quantity.quantity + "_by_" + parameter.key);
 }
 
-/// The quantity whose derivatives are columns of the curve and decide: the load at a fixed first output, in time that output.
+/// Whether the load is constant along the path there: then derivatives are those of the first output at the same progress of the loads.
+bool load_is_held(const Curve& curve, std::size_t row) {
+    const Column* held = curve.find("load_is_held");
+    return held != nullptr && held->values[row] != 0;
+}
+
+/// The quantity whose derivatives decide: the load at a fixed first output, in time and where the load is held that output.
 const Column& leading_of(const Curve& curve, const model::Case& model) {
-    return *curve.find(model::is_timed(model) ? Source::output : Source::load);
+    const bool by_output = model::is_timed(model) || load_is_held(curve, curve.row_count() - 1);
+    return *curve.find(by_output ? Source::output : Source::load);
 }
 
 }  // namespace
@@ -39,9 +46,10 @@ std::string sensitivity_csv(const Curve& table, const model::Case& model, std::s
             const bool is_limit = std::ranges::find(limit_rows, step.values[row]) != limit_rows.end();
             const double value = parameter.value / parameter.SI_per_unit;
             const double d_load = derivative_of(table, *load, parameter).values[row];
-            const double d_output = stiffness == nullptr ? derivative_of(table, *output, parameter).values[row]
-                                    : is_limit           ? std::numeric_limits<double>::quiet_NaN()
-                                                         : -d_load / stiffness->values[row];
+            const double d_output = stiffness == nullptr || load_is_held(table, row)
+                                        ? derivative_of(table, *output, parameter).values[row]
+                                    : is_limit ? std::numeric_limits<double>::quiet_NaN()
+                                               : -d_load / stiffness->values[row];
             text += core::number_text(step.values[row]) + "," + (time == nullptr ? "" : cell(time->values[row]) + ",") +
                     cell(load->values[row]) + "," + cell(output->values[row]) + "," + parameter.key + "," +
                     cell(value) + "," + parameter.unit;
@@ -55,7 +63,9 @@ std::string sensitivity_csv(const Curve& table, const model::Case& model, std::s
 
 std::string sensitivity_script(const Curve& table, const model::Case& model, PictureFormat format) {
     const Column &shown = leading_of(table, model),
-                 &at = *table.find(model::is_timed(model) ? Source::time : Source::output);
+                 &at = *table.find(model::is_timed(model)           ? Source::time
+                                   : shown.source == Source::output ? Source::load
+                                                                    : Source::output);
     if (shown.values.back() == 0)
         throw Error(ExitCode::bad_input, "--plot",
                     "in the last row the " + shown.quantity + " is 0, so there are no percentages",
@@ -156,9 +166,9 @@ std::string add_tolerance_band(Curve& curve, const model::Case& model, const Dev
     };
     Band of_load = band_of(load);
     const Column* stiffness = curve.find("stiffness");
-    std::vector<double> of_output = stiffness == nullptr ? band_of(output).root : of_load.root;
+    std::vector<double> of_output = band_of(output).root;
     for (std::size_t row = 0; stiffness != nullptr && row < rows; ++row)
-        of_output[row] /= std::abs(stiffness->values[row]);
+        if (!load_is_held(curve, row)) of_output[row] = of_load.root[row] / std::abs(stiffness->values[row]);
     const std::string at = stiffness == nullptr ? "at a fixed time" : "at a fixed output",
                       at_load = stiffness == nullptr ? at : "at a fixed load";
     const auto add = [&](const char* kind, const Column& of, std::vector<double> values, std::string meaning) {

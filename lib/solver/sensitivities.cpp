@@ -264,9 +264,15 @@ void Sensitivities::evaluate(Corrector& corrector, const PathState& path, const 
     const bool in_time = stages[static_cast<std::size_t>(path.stage)].time_s.has_value(),
                stage_follows = path.stage + 1 < static_cast<int>(stages.size()),
                has_memory = !base_.internal().is_empty(), softens = base_.internal().soften();
+    // Forces of contact are so stiff that a difference at a fixed state misses them.
+    const bool measures_contact = std::ranges::any_of(
+        corrector.input().outputs, [](const model::Output& output) { return !output.obstacle.empty(); });
     const Goal* goal = stage_follows || softens ? reached_goal(path, point) : nullptr;
     Constraint along{ConstraintKind::arc, 0, point.state.x, point.tangent.x};
-    if (in_time) along = {};
+    const bool load_is_held =
+        path.loads->free_supplies().empty() && leading_of(corrector.input(), path.loads->rate(), 0.0) == 0.0;
+    const bool is_at_rest = linalg::norm(point.tangent.x) == 0.0;  // an obstacle approaches
+    if (in_time || load_is_held || is_at_rest) along = {};
     // A stage that loads softened rubber again may end where it ended before: beyond it the rubber is softer than before it.
     else if (softens && goal != nullptr)
         along = goal->constraint;
@@ -307,7 +313,8 @@ void Sensitivities::evaluate(Corrector& corrector, const PathState& path, const 
             continue;
         }
         PathTangent moved_at = direction_between(newton, before, after, change);
-        if (softens) correct_at_moved_states(newton, point.state, lower, higher, moved_at);
+        if (softens || (point.touches && measures_contact))
+            correct_at_moved_states(newton, point.state, lower, higher, moved_at);
         const auto values = [&](const Side& side) {
             return values_at(*side.system, *side.loads, moved(point.state, side.change, moved_at), point, stretch_);
         };

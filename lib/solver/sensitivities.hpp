@@ -2,7 +2,8 @@
 /// Derivatives of the rows of a path by numbers of the design, theta: dimensions, constants of materials, loads, obstacles.
 /// A row satisfies R(x, lambda, p; theta) = 0 and e_k(..; theta) = 0 (newton.hpp). Its derivative at a fixed position along the path,
 ///   M (dx, dlambda, dp) = -(dR/dtheta, de/dtheta, 0),     M the bordered matrix of the row with the constraint t . dx = 0, t = dx/dq,
-/// exists at limit points too. In a stage with a time the constraint is lambda instead, so the derivative is at a fixed time.
+/// exists at limit points too. In a stage with a time, in one that holds the leading load (an obstacle moves at constant pressure), and
+/// where nothing moves before an obstacle arrives, the constraint is lambda instead: the derivative is at a fixed time or progress.
 /// dR/dtheta, de/dtheta and the derivatives of the outputs are differences between two systems with theta a little smaller and larger
 /// (geometry/variations.hpp), at the same state and at the states moved along the derivative; so they include whatever depends on theta:
 /// nodes, constants, loads, contact, definitions of outputs. Each system has internal variables of its own, which follow the moved states
@@ -10,7 +11,7 @@
 /// output, and T their slopes along the path, the derivative
 ///   of the load at a fixed output is D_load - T_load D_output / T_output, at a limit point that of the limit load,
 ///   of the output at a fixed load  D_output - T_output D_load / T_load,
-/// and D itself at a fixed time.
+/// and D itself at a fixed time or where the leading load is held.
 /// Where the values of a row are fewer than the parameters, their adjoints psi replace the derivatives of the state: with (psi, mu) = M^-T dv/d(x, lambda, p),
 ///   D_v = dv/dtheta at the state of the row - psi . dR/dtheta - mu . de/dtheta,
 /// and the part of the cells in psi . dR/dtheta of a dimension is the shape gradient (fem/shape_gradient.hpp) times the motion of the nodes.

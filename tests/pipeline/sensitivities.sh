@@ -43,6 +43,37 @@ runs 'solve -q --resume k.h5 && cmp k.h5 whole.h5'
 runs 'mpirun -n 2 solve -q case.h5 -o two.h5 && postprocess -q two.h5 --sensitivity -o two.csv'
 claim "two ranks give the same derivatives" near <(cut -d, -f2,3,5,7-8 table.csv | grep -v ',,\|,$') <(cut -d, -f2,3,5,7-8 two.csv | grep -v ',,\|,$') 1e-6
 
+# The force on an obstacle, which contact far stiffer than the rubber gives; an obstacle that moves at a constant pressure.
+at_wall='mesh-gen -q designs/bellows-at-wall.yaml --set mesh.quality=draft --set geometry.wall=2.41mm --set "outputs={push: {obstacle: wall, measure: force, along: x}}"'
+runs "$at_wall --sensitivity geometry.pitch,material.mu | solve -q | postprocess -q --sensitivity -o table.csv"
+compare d_output push_N geometry.pitch 8 mm "$at_wall" 2e-3
+compare d_output push_N material.mu 0.1644 MPa "$at_wall" 2e-3
+pressed="$at_wall"' --set "loads={cavity: {pressure: 5 kPa}, wall: {displacement: 5 mm, along: x}}" --set "path.stages={inflate: {loads: {cavity: {pressure: 5 kPa}}}, press: {loads: {wall: {displacement: 5 mm}}}}"'
+runs "$pressed --sensitivity geometry.pitch,material.mu | solve -q -o k.h5 && postprocess -q k.h5 --sensitivity -o table.csv"
+compare d_output push_N geometry.pitch 8 mm "$pressed" 5e-3
+compare d_output push_N material.mu 0.1644 MPa "$pressed" 5e-3
+claim "... and the constant pressure does not change" [ "$(cell d_load material.mu table.csv)" = 0 ]
+runs 'postprocess -q k.h5 --tolerances material.mu=10% -o band.csv'
+claim "... and the band is that of the output" within "$(ratio "$(column band_rss_push_N band.csv | tail -n 1)" "$(cell d_output material.mu table.csv)")" 0.01643 0.01645
+# Nothing moves before an obstacle arrives.
+cat >pressed.yaml <<'END'
+family: rod
+geometry: {length: 50 mm, height: 10 mm, width: 10 mm}
+mesh: {size: 10 mm}
+model: solid
+material: {law: neo-hookean, mu: 0.1644 MPa}
+supports: {fixed: fixed}
+obstacles:
+  post: {cylinder: {point: [45 mm, 0 mm, -6 mm], axis: [0, 1, 0], radius: 5 mm}}
+loads:
+  post: {displacement: 2 mm, along: z}
+outputs:
+  push: {obstacle: post, measure: force, along: z}
+END
+runs 'mesh-gen -q pressed.yaml --sensitivity material.mu | solve -q | postprocess -q --sensitivity -o table.csv'
+claim "the derivative is 0 before an obstacle arrives" [ "$(sed -n 2p table.csv | cut -d, -f8)" = 0 ]
+claim "the force of a linear law is proportional to the modulus" within "$(ratio "$(cell d_output_percent material.mu table.csv)" 1)" 0.999 1.001
+
 # A fixed load, in contact; several outputs; a follower pressure.
 vacuum='mesh-gen -q designs/vacuum.yaml --set loads.cavity.pressure=-5kPa'
 runs "$vacuum --sensitivity geometry.pitch,material.mu | solve -q | postprocess -q --sensitivity -o table.csv"

@@ -257,6 +257,39 @@ TEST(Path, IsStraightAfterAStageChangeIfTheDirectionDoesNotFit) {
     }
 }
 
+/// Loading along p = 2 x - x^2 to x = 0.8, where an obstacle stops the output: the row there has the direction after it.
+double error_before_kink(int rows, bool is_known) {
+    auto steps = two_stages(rows);
+    const auto kink = static_cast<std::size_t>(rows);
+    steps.resize(kink + 1);
+    steps[kink].tangent_outputs = {0.01};
+    steps[kink].tangent_pressure = 1;
+    for (int i = 1; i <= 3; ++i) {
+        steps.push_back(steps[kink]);
+        steps.back().outputs[0] += 0.001 * i;
+        steps.back().pressure_Pa += 0.1 * i;
+    }
+    model::PathEnd end;
+    end.first_contacts.emplace_back().at.step = rows;
+    const Curve curve = make_curve(test::growth, steps, is_known ? end : model::PathEnd{});
+    const Path path(curve);
+    const auto s = path.row_parameters();
+    double worst = 0;
+    for (int k = 1; k < 50; ++k) {
+        const auto row = path.at(s[kink - 1] + (s[kink] - s[kink - 1]) * k / 50);
+        const double x = row[test::index_of(curve, "growth")] / 1e3, p = row[test::index_of(curve, "pressure")] * 1e3;
+        worst = std::max(worst, std::abs(p - (2 * x - x * x)));
+    }
+    return worst;
+}
+
+TEST(Path, ConvergesWithThirdOrderBeforeAFirstContact) {
+    const double coarse = error_before_kink(8, true), fine = error_before_kink(16, true);
+    EXPECT_LT(coarse, 2e-4);
+    EXPECT_GT(error_before_kink(8, false), 10 * coarse);
+    EXPECT_GT(std::log2(coarse / fine), 2.7);
+}
+
 TEST(Path, OmitsAStageInWhichNothingChanges) {
     auto steps = two_stages(4);
     steps.insert(steps.begin() + 5, steps[4]);
