@@ -1,5 +1,6 @@
 #include "solver/control.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -25,6 +26,17 @@ double bend_under(const Constraint& control, const PathPoint& before, const Path
     const linalg::Vector change = copy_of(last.tangent.x);
     linalg::add(change, -control_slope(control, last) / control_slope(control, before), before.tangent.x);
     return linalg::norm(change) / linalg::norm(last.tangent.x);
+}
+
+/// In such a stage the body follows where contact closes, and rests once it has opened: then no other control than the load reaches the end.
+bool moves_obstacles_alone(const model::Case& input, const StageLoads& loads) {
+    const LoadLevels& rate = loads.rate();
+    const auto stays = [](double r) { return r == 0.0; };
+    bool moves = loads.free_supplies().empty() && std::ranges::all_of(rate.pressures_Pa, stays) &&
+                 std::ranges::all_of(rate.dead_loads, stays);
+    for (std::size_t i = 0; i < rate.motions.size(); ++i)
+        moves = moves && (stays(rate.motions[i]) || model::moves_obstacle(input, input.motions[i]));
+    return moves;
 }
 
 /// Whether the load reaches its maximum within a few steps, estimated from the decrease of its slope over the path length, and the
@@ -111,17 +123,26 @@ std::optional<ControlChange> better_control(const fem::System& system, const Pat
     if (linalg::norm(path.last->tangent.x) > softening * path.first_slope)
         return ControlChange{other, "the body softens"};
     const double bend = bend_under(path.control, *path.before, *path.last);
-    if (bend > settings.step_accuracy * straight_enough &&
+    if (!moves_obstacles_alone(system.input(), *path.loads) && bend > settings.step_accuracy * straight_enough &&
         bend_under(other, *path.before, *path.last) < straighter * bend)
         return ControlChange{other, "the path is straighter there"};
     return std::nullopt;
 }
 
-std::optional<ControlChange> control_after_failure(const fem::System& system, const PathState& path, bool too_short) {
-    if (path.control.kind == ConstraintKind::arc || stage_of(system.input(), path).time_s) return std::nullopt;
-    const bool is_free = path.control.kind == ConstraintKind::load_factor &&
-                         stage_of(system.input(), path).control == Control::automatic;
-    if (!is_free && !too_short && path.attempts.failures < failures_before_other_control) return std::nullopt;
+std::optional<ControlChange> control_after_failure(const fem::System& system, const PathState& path, NewtonEnd failure,
+                                                   bool too_short) {
+    if (stage_of(system.input(), path).time_s) return std::nullopt;
+    const bool is_automatic = stage_of(system.input(), path).control == Control::automatic;
+    if (path.control.kind == ConstraintKind::arc) {
+        // Where contact opens, an obstacle that moves on moves nothing else: the bordered matrix is singular, K is not.
+        const bool may_open = is_automatic && path.last->touches && failure == NewtonEnd::singular &&
+                              path.last->tangent.unstable_modes == 0 && path.load_control_at != path.rows;
+        return may_open ? std::optional(ControlChange{{ConstraintKind::load_factor}, "the loads may move nothing"})
+                        : std::nullopt;
+    }
+    const bool is_free = path.control.kind == ConstraintKind::load_factor && is_automatic;
+    const bool leaves_at_once = is_free && !moves_obstacles_alone(system.input(), *path.loads);
+    if (!leaves_at_once && !too_short && path.attempts.failures < failures_before_other_control) return std::nullopt;
     const Constraint other = is_free ? softer_control(system, *path.loads) : Constraint{ConstraintKind::arc};
     if (control_slope(other, *path.last) == 0.0) return std::nullopt;
     return ControlChange{other, is_free ? "a step under the load factor fails"

@@ -33,10 +33,10 @@ struct ControlChange {
 /// the steps towards a maximum become shorter and shorter.
 [[nodiscard]] std::optional<ControlChange> better_control(const fem::System& system, const PathState& path);
 
-/// After a failed step; `too_short`: the next one would be below solver.min_step. None at rest, before an obstacle arrives: only the load
-/// factor changes there.
+/// After a failed step; `too_short`: the next one would be below solver.min_step. At rest, before an obstacle arrives and after it has
+/// left, only the load factor changes.
 [[nodiscard]] std::optional<ControlChange> control_after_failure(const fem::System& system, const PathState& path,
-                                                                 bool too_short);
+                                                                 NewtonEnd failure, bool too_short);
 
 /// Continues from the last point under another control, in the same direction.
 void set_control(fem::System& system, PathState& path, const Constraint& control);

@@ -163,7 +163,7 @@ std::optional<NewtonEnd> Newton::check_convergence(const State& state, Correctio
     if (!std::isfinite(now.residual) || !std::isfinite(now.missing)) return NewtonEnd::not_finite;
     if (now.residual <= now.aim && supplied && std::abs(now.missing) <= now.constraint_tolerance)
         return NewtonEnd::converged;
-    if (is_close(now)) return NewtonEnd::converged;
+    if (is_close(state, now)) return NewtonEnd::converged;
     if (now.result.iterations == bordered_.settings.newton_limit) return NewtonEnd::iteration_limit;
     return std::nullopt;
 }
@@ -177,14 +177,15 @@ bool Newton::is_rounding(const State& state, const Correction& now) {
     return now.residual <= rounding_margin * bordered_.change_by_digits(state, levels);
 }
 
-/// For accept_change().
-bool Newton::is_close(const Correction& now) const {
+/// For accept_change(). Not in contact, whose forces change by themselves within its distance, a tiny part of the unknowns.
+bool Newton::is_close(const State& state, const Correction& now) const {
     if (now.result.iterations < 2 || accepted_change_ == 0.0) return false;
     const bool loads_are_close = std::ranges::all_of(
         bordered_.supply, [&](const SupplyEquation& equation) { return std::abs(equation.value) <= accepted_change_; });
     const double of_tolerance = accepted_change_ / bordered_.settings.residual_tolerance;
     return loads_are_close && std::abs(now.missing) <= of_tolerance * now.constraint_tolerance &&
-           now.change < now.change_before && now.change * now.change <= accepted_change_ * now.change_before;
+           now.change < now.change_before && now.change * now.change <= accepted_change_ * now.change_before &&
+           !bordered_.system.contact().touches(state.x);
 }
 
 linalg::LinearSolve Newton::solve_updated(Vec b, Vec x, double tolerance) {

@@ -77,7 +77,7 @@ public:
     void keep_factor() { keeps_factor_ = true; }
 
     /// Later corrections of states that are only compared end where the next increment is expected to be shorter than this part of the
-    /// unknowns: increments shrink at least by the factor of the last two (Newton's method: by its square).
+    /// unknowns: increments shrink at least by the factor of the last two (Newton's method: by its square). Not in contact.
     void accept_change(double relative) { accepted_change_ = relative; }
 
     /// Tangent of the path at a converged state. Its inertia comes from the factor of the last correction if there was one
@@ -156,7 +156,7 @@ private:
                                           State& state);
     [[nodiscard]] std::optional<NewtonEnd> check_convergence(const State& state, Correction& now);
     [[nodiscard]] bool is_rounding(const State& state, const Correction& now);
-    [[nodiscard]] bool is_close(const Correction& now) const;
+    [[nodiscard]] bool is_close(const State& state, const Correction& now) const;
     [[nodiscard]] std::optional<NewtonEnd> solve_blocks(const State& state, const Correction& now);
     /// True if the previous factor was good enough for this iteration.
     [[nodiscard]] bool solve_with_kept_factor(const Correction& now);

@@ -312,7 +312,8 @@ void PathFollower::recover() {
             return;
         }
     }
-    if (const auto change = control_after_failure(system_, path_, too_short)) return change_control(*change);
+    if (const auto change = control_after_failure(system_, path_, attempt.end, too_short))
+        return change_control(*change);
     if (failures > 1) path_.before.reset();  // the cubic extrapolates badly: return to the tangent
     // A step below the accuracy of a state has no reliable direction: it may lead back.
     const double known = equilibrium_margin * input_.solver.residual_tolerance * linalg::norm(path_.last->state.x);
@@ -352,6 +353,7 @@ void PathFollower::end_stage(const std::string& text) {
 void PathFollower::change_control(const ControlChange& change) {
     listeners_.report(change.reason + ": following the path by " + std::string(name(change.control.kind)));
     if (stage_of(input_, path_).control != model::Control::automatic) path_.user_control = path_.control;
+    if (change.control.kind == ConstraintKind::load_factor) path_.load_control_at = path_.rows;
     set_control(system_, path_, change.control);
     recorder_.report_control(path_);
 }

@@ -44,6 +44,7 @@ struct PathState {
     // The step. `before` is empty where a cubic through both points would not predict the path.
     Constraint control;
     std::optional<Constraint> user_control;  ///< while another one is used to find why the path ends
+    int load_control_at = -1;                ///< row from which load control was tried because arc length failed
     std::optional<PathPoint> before, last;
     double step = 0, first_step = 0;  ///< of q, signed
     Attempts attempts;

@@ -98,6 +98,7 @@ public:
     }
 
     [[nodiscard]] double length() const { return lengths_.back(); }
+    [[nodiscard]] double length_to(std::size_t index) const { return lengths_[index]; }
 
     /// The nearest state on the segments before `index` whose direction is along (`sense` 1) or against (-1) that of the state.
     [[nodiscard]] std::optional<Match> match(std::size_t index, double sense) const {
@@ -134,6 +135,8 @@ std::optional<Return> forward_return(const Path& path, std::size_t last) {
     for (std::size_t i = last; i + forward_rows > last; --i) {
         match = path.match(i, 1.0);
         if (!match || match->distance > on_the_curve * match->chord) return std::nullopt;
+        const double since = path.length_to(i) - match->position;
+        if (since < match->chord) return std::nullopt;  // it has hardly moved, as where an obstacle stops it
     }
     return Return{Return::Sense::forward, match->segment, last + 1 - forward_rows};
 }

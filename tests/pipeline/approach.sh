@@ -40,3 +40,37 @@ runs 'mesh-gen -q designs/vacuum.yaml --set mesh.size=3mm --set "obstacles={wall
 solve -q suction.h5 --json suction.json -o stopped.h5 2>/dev/null
 claim "with path.contact: stop, the path ends where the bellows touches itself" [ "$(json suction.json stop_reason)" = self_contact ]
 claim "... before it meets the wall" [ "$(json suction.json events)" = '[]' ]
+# A wall is withdrawn from a bellows that presses on it, and a post from a rod: both are free again.
+bellows='mesh-gen -q designs/bellows-at-wall.yaml --set mesh.quality=draft'
+runs "$bellows --set 'loads={cavity: {pressure: 5 kPa}, wall: {displacement: -10 mm, along: x}}' --set 'path.stages={i: {loads: {cavity: {pressure: 5 kPa}}}, r: {loads: {wall: {displacement: -10 mm}}}}' \
+    | solve -q | postprocess -q -o withdrawn.csv"
+free="$bellows --set 'obstacles={}' --set 'outputs={elongation: {face: inlet, along: axis}}' --set loads.cavity.pressure=5kPa"
+runs "$free | solve -q | postprocess -q -o free.csv"
+claim "a bellows that a wall has left is a free one" within "$(awk -v a="$(column elongation_mm withdrawn.csv | tail -n 1)" -v b="$(column elongation_mm free.csv | tail -n 1)" 'BEGIN { print a / b }')" 0.9999999 1.0000001
+claim "... and nothing pushes it" [ "$(column push_N withdrawn.csv | tail -n 1)" = 0 ]
+cat >pressed.yaml <<'END'
+family: rod
+geometry: {length: 50 mm, height: 10 mm, width: 10 mm}
+mesh: {size: 10 mm}
+model: half
+material: {law: neo-hookean, mu: 0.1644 MPa}
+supports: {fixed: fixed}
+contact: {friction: 0.4}
+obstacles:
+  post: {cylinder: {point: [45 mm, 0 mm, -6 mm], axis: [0, 1, 0], radius: 5 mm}}
+loads:
+  post: {displacement: 2 mm, along: z}
+path:
+  stages: {up: {loads: {post: {displacement: 2 mm}}}, down: {loads: {post: {displacement: 0 mm}}}}
+outputs:
+  rise: {face: end, along: z}
+END
+runs 'mesh-gen -q pressed.yaml | solve -q | postprocess -q -o rod.csv'
+claim "a rod that a post has left is straight" within "$(column rise_mm rod.csv | tail -n 1)" -1e-6 1e-6
+# Rows after a contact that stops the bellows are short: the path is not closed.
+runs "$bellows --set 'loads={cavity: {volume: 11 mL}}' | solve -q | postprocess -q -o volume.csv"
+claim "a prescribed volume is reached in contact" within "$(column volume_mL volume.csv | tail -n 1)" 10.9999999 11.0000001
+# Between the rows before the first contact, at 2.36 kPa, the path does not bend.
+runs "$bellows --set loads.cavity.pressure=5kPa -o case.h5 && solve -q case.h5 | postprocess -q --at pressure=1.5kPa,2kPa -o at.csv"
+runs "$free --set solver.step_accuracy=1e-6 | solve -q | postprocess -q --at pressure=1.5kPa,2kPa -o smooth.csv"
+claim "values before a first contact are those of the free bellows" near <(cut -d, -f2,3 at.csv) <(cut -d, -f2,3 smooth.csv) 1e-3
