@@ -15,7 +15,8 @@ void check_output_name(const Member& output) {
     if (!is_valid_name(output.key))
         refuse(output.location, "outputs." + output.key, "not a name of an output", valid_name_rule);
     const auto& taken = until_quantities();
-    constexpr std::array others{"volume", "step", "stage", "time", "load", "traction", "load_factor"};
+    constexpr std::array others{"volume",   "step",        "stage",     "time",        "load",
+                                "traction", "load_factor", "stiffness", "load_is_held"};
     if (std::find(taken.begin(), taken.end(), output.key) != taken.end() || std::ranges::count(others, output.key) > 0)
         refuse(output.location, "outputs." + output.key, "the name is reserved for a quantity of every path",
                "choose another name");

@@ -61,6 +61,7 @@ LinearSolver::LinearSolver(Mat K, Symmetry symmetry, const LinearSettings& setti
 }
 
 void LinearSolver::use_threads_for_products() {
+    product_.reset();
     PetscBool sequential = PETSC_FALSE;
     MatInfo entries;
     SOFT_PETSC(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(K_), MATSEQAIJ, &sequential));

@@ -90,6 +90,11 @@ struct Step {
     std::vector<double> derivatives = {};
 };
 
+/// Whether the leading load is constant along the path there, as where an obstacle moves or another pressure grows at a held pressure.
+[[nodiscard]] inline bool holds_load(const Step& step) {
+    return step.tangent_pressure == 0.0 && step.tangent_load_factor != 0.0;
+}
+
 /// Extremum of the leading load along the path.
 struct LimitPoint {
     int step = 0;  ///< row of the path

@@ -240,12 +240,18 @@ void add_derivatives(std::vector<Entry>& entries, const model::Case& model, std:
     const Scale of_load{load.unit, load.SI_per_unit}, of_output{std::string{unit.suffix}, unit.SI_per_unit};
     const bool is_timed = model::is_timed(model);
     // The row of a stage in which nothing changes has no direction: that of the row before.
-    const auto stiffness = [steps](const Step& step) {
+    const auto directed = [steps](const Step& step) -> const Step& {
         auto row = static_cast<std::size_t>(&step - steps.data());
-        while (row > 0 && steps[row].tangent_pressure == 0 && steps[row].tangent_outputs[0] == 0) --row;
-        return steps[row].tangent_pressure / steps[row].tangent_outputs[0];
+        while (row > 0 && steps[row].tangent_pressure == 0 && steps[row].tangent_outputs[0] == 0 &&
+               !model::holds_load(steps[row]))
+            --row;
+        return steps[row];
     };
-    const auto is_held = [](const Step& step) { return step.tangent_pressure == 0 && step.tangent_outputs[0] != 0; };
+    const auto is_held = [directed](const Step& step) { return model::holds_load(directed(step)); };
+    const auto stiffness = [directed](const Step& step) {
+        const Step& at = directed(step);
+        return model::holds_load(at) ? 0 : at.tangent_pressure / at.tangent_outputs[0];
+    };
     if (!is_timed) {
         Column held = plain("load_is_held", Role::stage, "1 where the load is constant along the path, else 0");
         held.shown = Shown::on_demand;
@@ -276,14 +282,17 @@ void add_derivatives(std::vector<Entry>& entries, const model::Case& model, std:
             add(model.outputs.front().name + "_by_" + parameter.key, of_output, by, meaning,
                 at_rows([](const Step&, const double* D) { return D[1]; }));
         } else {
+            const auto load_by = [stiffness](const Step& step, const double* D) {
+                return D[1] == 0 ? D[0] : D[0] - stiffness(step) * D[1];
+            };
             add(load.quantity + "_by_" + parameter.key, of_load, by,
-                "derivative of the load by a number of the design at a fixed first output",
-                at_rows([stiffness](const Step& step, const double* D) {
-                    return D[1] == 0 ? D[0] : D[0] - stiffness(step) * D[1];
-                }));
+                "derivative of the load by a number of the design at a fixed first output", at_rows(load_by));
             add(model.outputs.front().name + "_by_" + parameter.key, of_output, by,
-                "derivative of the first output by a number of the design where the load is held; else 0",
-                at_rows([is_held](const Step& step, const double* D) { return is_held(step) ? D[1] : 0; }));
+                "derivative of the first output by a number of the design at a fixed load; 0 where it is infinite",
+                at_rows([=](const Step& step, const double* D) {
+                    const double slope = is_held(step) ? D[1] : -load_by(step, D) / stiffness(step);
+                    return std::isfinite(slope) ? slope : 0;
+                }));
         }
     }
 }

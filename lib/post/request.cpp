@@ -63,6 +63,7 @@ std::vector<std::vector<double>> crossing_rows(const Curve& curve, const Request
 Curve rows_at(const Curve& curve, std::span<const Request> requests) {
     const Path path(curve);
     Curve table = curve;
+    table.kinks.clear();
     for (Column& column : table.columns) {
         column.values.clear();
         column.slopes.clear();

@@ -2,7 +2,8 @@
 /// Sensitivities of a curve to numbers of its design, from the derivatives that solve records (solver/sensitivities.hpp).
 /// Columns on demand of the curve: `stiffness`, the slope of the leading load over the first output along the path, and
 /// `<load>_by_<key>`, the derivative A of the leading load by the number at a fixed first output. The derivative of the output at a fixed
-/// load is -A / stiffness. Both columns are smooth across limit points, where A is the derivative of the limit load.
+/// load is -A / stiffness. Both columns are smooth across limit points, where A is the derivative of the limit load. Where the load is held
+/// (`load_is_held`, model::holds_load), A is 0 and the derivative of the output, at the same progress of the loads, is `<first output>_by_<key>`.
 /// On a path in time all derivatives are at a fixed time: `<load>_by_<key>` and `<first output>_by_<key>`, without a stiffness.
 /// Band of deviations of the numbers with the covariance C, as half widths of the load at a fixed first output:
 ///   root of squares  sqrt(sum_kl A_k A_l C_kl),      worst case  sum |A_k| sqrt(C_kk)
@@ -24,8 +25,8 @@ namespace soft::post {
 [[nodiscard]] std::string sensitivity_csv(const Curve& table, const model::Case& model,
                                           std::span<const int> limit_rows);
 
-/// The gnuplot script of a bar chart: d_load_percent of each parameter at the last row of `table`, in time d_output_percent, the largest
-/// first. Throws Error (bad_input) where that load or output is 0.
+/// The gnuplot script of a bar chart: d_load_percent of each parameter at the last row of `table`, in time and where the load is held
+/// d_output_percent, the largest first. Throws Error (bad_input) where that load or output is 0.
 [[nodiscard]] std::string sensitivity_script(const Curve& table, const model::Case& model, PictureFormat format);
 
 /// Deviations of numbers of the made part from those of the design.

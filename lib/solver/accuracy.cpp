@@ -114,24 +114,23 @@ std::vector<ErrorBar> set_bars_in_time(Rows& reported, const NeighbourLevels& ar
     return first;
 }
 
-/// Whether the leading load is constant along the path there, as where an obstacle moves at a held pressure.
-bool holds_load(const model::Step& step) { return step.tangent_pressure == 0.0 && step.tangent_load_factor != 0.0; }
-
 /// Where the leading load is held, the outputs are compared at equal progress of the loads: each row is shifted along the tangent of the
 /// reported one.
 void set_bars_at_held_loads(Rows& reported, const NeighbourLevels& around) {
     for (std::size_t k = 0; k < reported.front().step.outputs.size(); ++k) {
         const auto point = [&](const model::Step& step, std::size_t i) {
             const model::Step& at = reported[i].step;
-            const double shift =
-                holds_load(at) ? at.tangent_outputs[k] / at.tangent_load_factor * (at.load_factor - step.load_factor)
-                               : 0.0;
+            const double shift = model::holds_load(at) ? at.tangent_outputs[k] / at.tangent_load_factor *
+                                                             (at.load_factor - step.load_factor)
+                                                       : 0.0;
             return CurvePoint{step.outputs[k] + shift, static_cast<double>(i)};
         };
         const auto bars = bars_of(reported, around, point, [](const model::Step&) { return CurvePoint{0.0, 0.0}; });
         for (std::size_t i = 0; i < bars.size(); ++i)
-            if (holds_load(reported[i].step)) reported[i].step.output_errors[k] = bars[i].load;
+            if (model::holds_load(reported[i].step)) reported[i].step.output_errors[k] = bars[i].load;
     }
+    for (RowState& row : reported)
+        if (model::holds_load(row.step)) row.step.pressure_error_Pa = 0.0;  // it is prescribed
 }
 
 /// Stores the bars in the reported rows; returns those of the first measure.
@@ -151,7 +150,7 @@ std::vector<ErrorBar> set_bars(Rows& reported, const NeighbourLevels& around) {
         }
         if (k == 0) first = bars;
     }
-    if (std::ranges::any_of(reported, [](const RowState& row) { return holds_load(row.step); }))
+    if (std::ranges::any_of(reported, [](const RowState& row) { return model::holds_load(row.step); }))
         set_bars_at_held_loads(reported, around);
     return first;
 }
@@ -177,7 +176,7 @@ double max_relative_bar(const Rows& rows) {
     const double range = range_of(rows, [&](const model::Step& step) { return measure.point(step).measure; });
     const auto stands_still = [&](const model::Step& step) {
         if (outputs == 0) return false;  // nothing else could be bounded
-        if (holds_load(step)) return true;
+        if (model::holds_load(step)) return true;
         const CurvePoint tangent = measure.tangent(step);
         return std::abs(tangent.measure) * load_range < standstill * std::abs(tangent.load) * range;
     };

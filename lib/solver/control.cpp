@@ -120,7 +120,7 @@ std::optional<ControlChange> better_control(const fem::System& system, const Pat
         return ControlChange{{ConstraintKind::arc}, "the load nears a maximum"};
     }
     const Constraint other = softer_control(system, *path.loads);
-    if (linalg::norm(path.last->tangent.x) > softening * path.first_slope)
+    if (path.first_slope > 0.0 && linalg::norm(path.last->tangent.x) > softening * path.first_slope)
         return ControlChange{other, "the body softens"};
     const double bend = bend_under(path.control, *path.before, *path.last);
     if (!moves_obstacles_alone(system.input(), *path.loads) && bend > settings.step_accuracy * straight_enough &&
@@ -136,7 +136,8 @@ std::optional<ControlChange> control_after_failure(const fem::System& system, co
     if (path.control.kind == ConstraintKind::arc) {
         // Where contact opens, an obstacle that moves on moves nothing else: the bordered matrix is singular, K is not.
         const bool may_open = is_automatic && path.last->touches && failure == NewtonEnd::singular &&
-                              path.last->tangent.unstable_modes == 0 && path.load_control_at != path.rows;
+                              path.last->tangent.unstable_modes.value_or(0) == 0 &&
+                              path.last->tangent.load_factor != 0.0 && path.load_control_at != path.rows;
         return may_open ? std::optional(ControlChange{{ConstraintKind::load_factor}, "the loads may move nothing"})
                         : std::nullopt;
     }

@@ -143,6 +143,7 @@ NewtonResult Newton::correct_by(model::LineSearch line_search, const Constraint&
         if (found.end != SearchEnd::found)
             return report(found.end == SearchEnd::inverted ? NewtonEnd::inverted : NewtonEnd::no_descent);
         now.residual = found.trial.residual;
+        now.length = found.length;
         now.change_before = std::exchange(now.change, linalg::norm(correction_) / linalg::norm(trial.x));
         if (bordered_.settings.newton == model::NewtonMethod::bfgs) add_secant_pair(found.length);
         std::swap(state, trial);
@@ -179,12 +180,13 @@ bool Newton::is_rounding(const State& state, const Correction& now) {
 
 /// For accept_change(). Not in contact, whose forces change by themselves within its distance, a tiny part of the unknowns.
 bool Newton::is_close(const State& state, const Correction& now) const {
-    if (now.result.iterations < 2 || accepted_change_ == 0.0) return false;
+    const bool is_full = bordered_.settings.newton == model::NewtonMethod::full && now.length == 1.0;
+    if (now.result.iterations < 2 || accepted_change_ == 0.0 || !is_full) return false;
     const bool loads_are_close = std::ranges::all_of(
         bordered_.supply, [&](const SupplyEquation& equation) { return std::abs(equation.value) <= accepted_change_; });
     const double of_tolerance = accepted_change_ / bordered_.settings.residual_tolerance;
     return loads_are_close && std::abs(now.missing) <= of_tolerance * now.constraint_tolerance &&
-           now.change < now.change_before && now.change * now.change <= accepted_change_ * now.change_before &&
+           now.change * now.change <= accepted_change_ * (now.change_before - now.change) &&
            !bordered_.system.contact().touches(state.x);
 }
 

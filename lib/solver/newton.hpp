@@ -76,8 +76,8 @@ public:
     /// The next correction starts where the last one ended, with its factor. The inertia of the tangent after it may be that of this factor.
     void keep_factor() { keeps_factor_ = true; }
 
-    /// Later corrections of states that are only compared end where the next increment is expected to be shorter than this part of the
-    /// unknowns: increments shrink at least by the factor of the last two (Newton's method: by its square). Not in contact.
+    /// Later corrections of states that are only compared end where all further increments are expected to be shorter than this part of
+    /// the unknowns, if they shrink by the factor of the last two (Newton's method: by its square). Not in contact.
     void accept_change(double relative) { accepted_change_ = relative; }
 
     /// Tangent of the path at a converged state. Its inertia comes from the factor of the last correction if there was one
@@ -140,6 +140,7 @@ private:
         double first_force_scale = 0, constraint_tolerance = 0;
         double missing = 0;                    // of the constraint: target - c
         double change = 0, change_before = 0;  // of the unknowns in the last two iterations, relative to them
+        double length = 1;                     // of the last line search
         bool loads_stay = false;  // the loads equal those of the target: the increment is K^-1 (-R), without columns
         double aim = 0;           // |R| that counts as equilibrium
         model::LineSearch line_search = model::LineSearch::backtracking;

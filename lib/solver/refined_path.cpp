@@ -12,7 +12,7 @@ namespace {
 /// Relative tolerance to find the goal that ended a stage from the transferred state: the largest change due to the mesh.
 constexpr double meets_goal = 5e-3;
 
-/// Change of the unknowns that is left in rows that are only compared: meshes differ by 1e-3 or more.
+/// Change of the unknowns that may be left in rows that are only compared; a quadratic step leaves far less.
 constexpr double enough_to_compare = 1e-5;
 
 /// Bound of the extrapolation of the difference between the meshes.

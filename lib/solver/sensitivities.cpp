@@ -269,10 +269,8 @@ void Sensitivities::evaluate(Corrector& corrector, const PathState& path, const 
         corrector.input().outputs, [](const model::Output& output) { return !output.obstacle.empty(); });
     const Goal* goal = stage_follows || softens ? reached_goal(path, point) : nullptr;
     Constraint along{ConstraintKind::arc, 0, point.state.x, point.tangent.x};
-    const bool load_is_held =
-        path.loads->free_supplies().empty() && leading_of(corrector.input(), path.loads->rate(), 0.0) == 0.0;
-    const bool is_at_rest = linalg::norm(point.tangent.x) == 0.0;  // an obstacle approaches
-    if (in_time || load_is_held || is_at_rest) along = {};
+    const bool is_at_rest = linalg::norm(point.tangent.x) == 0.0;  // an obstacle approaches, or has left
+    if (in_time || model::holds_load(step) || is_at_rest) along = {};
     // A stage that loads softened rubber again may end where it ended before: beyond it the rubber is softer than before it.
     else if (softens && goal != nullptr)
         along = goal->constraint;

@@ -2,8 +2,8 @@
 /// Derivatives of the rows of a path by numbers of the design, theta: dimensions, constants of materials, loads, obstacles.
 /// A row satisfies R(x, lambda, p; theta) = 0 and e_k(..; theta) = 0 (newton.hpp). Its derivative at a fixed position along the path,
 ///   M (dx, dlambda, dp) = -(dR/dtheta, de/dtheta, 0),     M the bordered matrix of the row with the constraint t . dx = 0, t = dx/dq,
-/// exists at limit points too. In a stage with a time, in one that holds the leading load (an obstacle moves at constant pressure), and
-/// where nothing moves before an obstacle arrives, the constraint is lambda instead: the derivative is at a fixed time or progress.
+/// exists at limit points too. In a stage with a time, where the leading load is held (model::holds_load) and where nothing moves, the
+/// constraint is lambda instead: the derivative is at a fixed time or at the same progress of the loads, and not at a limit point.
 /// dR/dtheta, de/dtheta and the derivatives of the outputs are differences between two systems with theta a little smaller and larger
 /// (geometry/variations.hpp), at the same state and at the states moved along the derivative; so they include whatever depends on theta:
 /// nodes, constants, loads, contact, definitions of outputs. Each system has internal variables of its own, which follow the moved states

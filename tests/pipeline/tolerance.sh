@@ -58,3 +58,13 @@ done
 run 'mesh-gen -q designs/membrane-at-wall.yaml -o case.h5 && solve case.h5 --tolerance 20% -o k.h5'
 claim "the force on a wall is zero until it is reached: there the tolerance bounds the outputs" exits 0
 claim "one finer mesh is solved" [ "$(meshes)" = 1 ]
+# At a constant pressure a wall is pressed into a bellows: the bars are those at the same motion of the wall.
+at_wall='mesh-gen -q designs/bellows-at-wall.yaml --set "loads={cavity: {pressure: 5 kPa}, wall: {displacement: 5 mm, along: x}}" \
+    --set "path.stages={inflate: {loads: {cavity: {pressure: 5 kPa}}}, press: {loads: {wall: {displacement: 5 mm}}}}" --set mesh.quality=draft'
+runs "$at_wall | solve -q --tolerance 30% | postprocess -q -o bars.csv && $at_wall --set mesh.refine=2 | solve -q | postprocess -q -o fine.csv"
+for output in push_N elongation_mm; do
+    export output
+    claim "the bar of ${output%_*} at a constant pressure covers the finer mesh" awk -v fine="$(column $output fine.csv | tail -n 1)" -v name=$output -F, '
+        NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; sub(/_/, "_error_", name); next }
+        END { value = $at[ENVIRON["output"]]; bar = $at[name]; off = value - fine; exit !(bar < 0.05 * (value < 0 ? -value : value) && off * off <= bar * bar) }' bars.csv
+done
