@@ -345,7 +345,8 @@ void PathFollower::end_stage(const std::string& text) {
                       describe(*path_.last));
     begin(next_stage(corrector_, path_));
     if (path_.finished || path_.loads->changes()) return;
-    path_.last->state.load_factor = 1.0;  // nothing changes: the same state again
+    path_.last->state.load_factor = 1.0;  // nothing changes: the same state again, without a direction
+    path_.last->tangent.load_factor = 0.0;
     recorder_.append(path_, *path_.last);
     end_stage("end of a stage without load changes");
 }
