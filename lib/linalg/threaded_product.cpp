@@ -35,7 +35,7 @@ void multiply_rows(const MatrixRows& rows, PetscInt row, const PetscScalar* x, P
         for (int r = 0; r < count; ++r) {
             Lanes v;
             load(values + r * length + k, v);
-            __builtin_prefetch(values + (r + count) * length + k);
+            __builtin_prefetch(values + (r + count) * length + k);  // rows are too short for the processor to do so
             sums[r] += v * x_k;
         }
     }

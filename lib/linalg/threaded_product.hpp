@@ -1,5 +1,5 @@
 #pragma once
-/// Products y = K x of a sequential matrix by several threads. Each row is summed by one thread in the order of its entries, so that the
+/// Products y = K x of a sequential matrix by several threads. Each row is summed by one thread in the same order, so that the
 /// result does not depend on the number of threads. Tested by linalg/threaded_product_test.
 #include <vector>
 

@@ -14,6 +14,8 @@ namespace {
 constexpr double same_direction = 0.9;
 /// In lengths of the earlier step: far above the error of the cubic between two rows of an error-adaptive path.
 constexpr double on_the_curve = 2e-3;
+/// Shortest length of a closed path, in lengths of the earlier step: a path that an obstacle stops stays on the curve because it hardly moves.
+constexpr double shortest_loop = 10 * on_the_curve;
 constexpr std::size_t forward_rows = 2, backward_rows = 3;
 /// Largest distance of a path that retraces itself from its earlier states, relative to the length retraced and to the whole path,
 /// and the shortest length retraced, relative to the whole path.
@@ -136,7 +138,7 @@ std::optional<Return> forward_return(const Path& path, std::size_t last) {
         match = path.match(i, 1.0);
         if (!match || match->distance > on_the_curve * match->chord) return std::nullopt;
         const double since = path.length_to(i) - match->position;
-        if (since < match->chord) return std::nullopt;  // it has hardly moved, as where an obstacle stops it
+        if (since < shortest_loop * match->chord) return std::nullopt;
     }
     return Return{Return::Sense::forward, match->segment, last + 1 - forward_rows};
 }
