@@ -78,6 +78,23 @@ table() {   # table FILE.csv: has a header and at least two rows with the same n
              { if (NF != n) bad = 1; for (i = 1; i <= NF; ++i) if ($i !~ /^-?[0-9.]+(e[-+]?[0-9]+)?$/) bad = 1 }
              END { exit bad || NR < 3 }' "$1"
 }
+rod_and_post() {   # writes pressed.yaml: a post moves toward the end of a rod and bends it
+    cat >pressed.yaml <<'END'
+family: rod
+geometry: {length: 50 mm, height: 10 mm, width: 10 mm}
+mesh: {size: 10 mm}
+model: half
+material: {law: neo-hookean, mu: 0.1644 MPa}
+supports: {fixed: fixed}
+obstacles:
+  post: {cylinder: {point: [45 mm, 0 mm, -6 mm], axis: [0, 1, 0], radius: 5 mm}}
+loads:
+  post: {displacement: 2 mm, along: z}
+outputs:
+  push: {obstacle: post, measure: force, along: z}
+  rise: {face: end, along: z}
+END
+}
 near() {   # near A.csv B.csv TOLERANCE: same header and rows; all columns agree relative to the maximum of the column
     awk -F, -v tolerance="$3" '
         { if (NF != fields && NR > 1) bad = 1; fields = NF }
