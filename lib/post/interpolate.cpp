@@ -230,18 +230,14 @@ Path::Path(const Curve& curve) : curve_(&curve) {
         std::vector<Hermite>& pieces = pieces_.emplace_back();
         for (std::size_t i = 0; i < speeds.size(); ++i) {
             const double ds = parameters[i + 1] - parameters[i], difference = q[i + 1] - q[i];
-            const bool known = !has_slopes(column) || speeds[i].directions == Speeds::Directions::both;
+            using enum Speeds::Directions;
+            const auto known = has_slopes(column) ? speeds[i].directions : both;
             double start = slope(i, speeds[i].start, by_rows[i].start * ds),
                    end = slope(i + 1, speeds[i].end, by_rows[i].end * ds);
-            if (!known) {
-                if (speeds[i].directions == Speeds::Directions::none) end = difference;
-                if (speeds[i].directions == Speeds::Directions::first)
-                    end = 2 * difference - start;
-                else
-                    start = 2 * difference - end;
-                const bool turns = start * difference < 0 || end * difference < 0;
-                if (time != nullptr && turns) start = end = difference;
-            }
+            if (known == first) end = 2 * difference - start;
+            if (known == second) start = 2 * difference - end;
+            const bool turns = start * difference < 0 || end * difference < 0;
+            if (known == none || (known != both && time != nullptr && turns)) start = end = difference;
             pieces.push_back({q[i], q[i + 1], start, end});
         }
     }
