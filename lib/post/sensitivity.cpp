@@ -45,8 +45,10 @@ std::string sensitivity_csv(const Curve& table, const model::Case& model, std::s
         for (const model::DesignParameter& parameter : model.parameters) {
             const bool is_limit = std::ranges::find(limit_rows, step.values[row]) != limit_rows.end();
             const double value = parameter.value / parameter.SI_per_unit;
-            const double d_load = derivative_of(table, *load, parameter).values[row];
-            const double d_output = stiffness == nullptr || load_is_held(table, row)
+            // Between the last row of one stage and the first of another the column is not that of either.
+            const bool is_held = load_is_held(table, row);
+            const double d_load = is_held ? 0 : derivative_of(table, *load, parameter).values[row];
+            const double d_output = stiffness == nullptr || is_held
                                         ? derivative_of(table, *output, parameter).values[row]
                                     : is_limit ? std::numeric_limits<double>::quiet_NaN()
                                                : -d_load / stiffness->values[row];

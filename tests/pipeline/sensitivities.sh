@@ -58,6 +58,8 @@ runs "$pressed --sensitivity geometry.pitch,material.mu | solve -q -o k.h5 && po
 compare d_output push_N geometry.pitch 8 mm "$pressed" 5e-3
 compare d_output push_N material.mu 0.1644 MPa "$pressed" 5e-3
 claim "... and the constant pressure does not change" [ "$(cell d_load material.mu table.csv)" = 0 ]
+runs 'postprocess -q k.h5 --sensitivity --at push=-0.614N -o between.csv'
+claim "... nor between the stages" [ "$(cell d_load material.mu between.csv)" = 0 ]
 runs 'postprocess -q k.h5 --tolerances material.mu=10% -o band.csv'
 claim "... and the band is that of the output" within "$(ratio "$(column band_rss_push_N band.csv | tail -n 1)" "$(cell d_output material.mu table.csv)")" 0.01643 0.01645
 withdrawn="$bellows $(moved '-10 mm')"
