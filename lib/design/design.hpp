@@ -110,6 +110,7 @@ struct Design {
         std::string face;  ///< or the name of an obstacle
         double displacement_m;
         std::string along;
+        model::TimeFunction time_function = {};
     };
     std::vector<MotionRequest> motions;
     /// Its dimensions are in `values`, below "obstacles.<name>".

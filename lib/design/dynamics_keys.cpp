@@ -74,12 +74,9 @@ void check_path_keys(const DynamicParts& parts, const Values& values) {
 
 void check_loads(const DynamicParts& parts, const Values& values) {
     for (const LoadEntry& load : parts.loads) {
-        if (load.form->target == LoadTarget::obstacle)
-            throw values.refuse(load.value, "an obstacle does not move in a dynamic analysis",
-                                "leave it at rest, and move the actuator by a pressure, a traction or gravity");
-        if (load.form->kind == LoadKind::motion)
-            throw values.refuse(load.value, "a prescribed displacement is not supported in a dynamic analysis",
-                                "load the face by a pressure or a traction");
+        if (load.form->kind == LoadKind::motion && load.form->target != LoadTarget::obstacle)
+            throw values.refuse(load.value, "the displacement of a face is not supported in a dynamic analysis",
+                                "load the face by a pressure or a traction, or move an obstacle");
         if (load.form->kind == LoadKind::gas && load.form->what != model::Prescription::pressure)
             throw values.refuse(
                 load.value, "a dynamic path takes a pressure as its supply",

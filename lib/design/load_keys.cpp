@@ -100,8 +100,7 @@ std::vector<LoadForm> other_forms() {
              .magnitude = value_key("displacement", Kind::length, {},
                                     "prescribed displacement of the obstacle @; it does not rotate"),
              .example = "5 mm",
-             .along = choice_key("along", "", obstacle_directions(), "direction of the displacement of an obstacle"),
-             .takes_time_function = false}};
+             .along = choice_key("along", "", obstacle_directions(), "direction of the displacement of an obstacle")}};
 }
 
 Settings<Gas> gas_settings() {

@@ -143,6 +143,16 @@ void share_gas(const LoadEntry& entry, std::span<const LoadEntry> entries, Loads
     std::ranges::find(loads.pressures, other, &model::PressureLoad::name)->targets.push_back(entry.name);
 }
 
+/// An obstacle moves continuously from where the design places it.
+model::TimeFunction obstacle_time_function(const LoadEntry& entry, const Values& values) {
+    auto time_function = time_function_of(values, entry.path);
+    const bool is_table = time_function.kind == model::TimeFunctionKind::table;
+    if (time_function.kind == model::TimeFunctionKind::step || (is_table && time_function.shares.front() != 0))
+        throw values.refuse(entry.path + ".time_function", "an obstacle cannot jump away from its place",
+                            is_table ? "begin the shares with 0" : "use a ramp, a sine or a table");
+    return time_function;
+}
+
 LoadSlot add_load(const LoadEntry& entry, double value, Loads& loads, const Values& values) {
     switch (entry.form->kind) {
         case LoadKind::gas:
@@ -159,11 +169,13 @@ LoadSlot add_load(const LoadEntry& entry, double value, Loads& loads, const Valu
                                         time_function_of(values, entry.path)});
             return {entry.form, loads.dead_loads.size() - 1, value};
         case LoadKind::motion:
-            if (entry.form->target == LoadTarget::obstacle)
-                check_obstacle_direction(values, entry.path + ".along");
-            else
-                check_direction(values, entry.path + ".along");
             loads.motions.push_back({entry.name, value, values.text(entry.path + ".along")});
+            if (entry.form->target == LoadTarget::obstacle) {
+                check_obstacle_direction(values, entry.path + ".along");
+                loads.motions.back().time_function = obstacle_time_function(entry, values);
+            } else {
+                check_direction(values, entry.path + ".along");
+            }
             return {entry.form, loads.motions.size() - 1, value};
     }
     return {entry.form, 0, value};

@@ -12,7 +12,7 @@ bool is_obstacle(const model::Case& result, const std::string& name) {
 model::Motion obstacle_motion(const design::Design::MotionRequest& request, const Meshed& meshed) {
     const Vector3 d = direction_of({"loads." + request.face + ".along", "", request.along}, meshed);
     const double size_m = request.displacement_m;
-    return {request.face, {size_m * d[0], size_m * d[1], size_m * d[2]}};
+    return {request.face, {size_m * d[0], size_m * d[1], size_m * d[2]}, request.time_function};
 }
 
 model::Output contact_output(const design::Design::OutputRequest& request, const Meshed& meshed,

@@ -2,19 +2,36 @@
 
 #include "contact/potential.hpp"
 #include "model/rubber.hpp"
+#include "model/time_function.hpp"
 
 namespace soft::post {
+
+namespace {
+
+/// Levels of the motions in a row.
+std::vector<double> motion_levels(const model::Case& model, std::span<const model::Step> steps, std::size_t row) {
+    std::vector<double> levels(model.motions.size(), 0.0);
+    if (const auto& motion = steps[row].motion) {
+        for (std::size_t i = 0; i < levels.size(); ++i)
+            levels[i] = model.path.stages[0].motions.at(i) *
+                        model::share_at(model.motions[i].time_function, model.dynamics->duration_s, motion->time_s);
+        return levels;
+    }
+    std::vector<double> reached(model.path.stages.size(), 0.0);  // load factor of each stage
+    for (const model::Step& step : steps.first(row + 1))
+        reached.at(static_cast<std::size_t>(step.stage)) = step.load_factor;
+    for (std::size_t s = 0; s <= static_cast<std::size_t>(steps[row].stage); ++s)
+        for (std::size_t i = 0; i < levels.size(); ++i)
+            levels[i] += reached[s] * (model.path.stages[s].motions.at(i) - levels[i]);
+    return levels;
+}
+
+}  // namespace
 
 std::vector<Vector3> obstacle_shifts(const model::Case& model, std::span<const model::Step> steps, std::size_t row) {
     std::vector<Vector3> shifts(model.obstacles.size());
     if (shifts.empty() || model.motions.empty()) return shifts;
-    std::vector<double> reached(model.path.stages.size(), 0.0);  // load factor of each stage
-    for (const model::Step& step : steps.first(row + 1))
-        reached.at(static_cast<std::size_t>(step.stage)) = step.load_factor;
-    std::vector<double> levels(model.motions.size(), 0.0);
-    for (std::size_t s = 0; s <= static_cast<std::size_t>(steps[row].stage); ++s)
-        for (std::size_t i = 0; i < levels.size(); ++i)
-            levels[i] += reached[s] * (model.path.stages[s].motions.at(i) - levels[i]);
+    const std::vector<double> levels = motion_levels(model, steps, row);
     for (std::size_t k = 0; k < shifts.size(); ++k)
         for (std::size_t i = 0; i < levels.size(); ++i)
             if (model.motions[i].face == model.obstacles[k].name)

@@ -24,8 +24,10 @@ fem::System& checked(fem::System& system) {
         if (stage.supplies.at(load).what != model::Prescription::pressure)
             refuse("loads." + input.loads[load].name, "a dynamic case can prescribe only pressures",
                    "set a pressure with a time_function, or a supply line of the cavity");
-    for (const double level : stage.motions)
-        if (level != 0.0) refuse("loads", "a dynamic case cannot prescribe changing displacements", "use forces");
+    for (std::size_t i = 0; i < input.motions.size(); ++i)
+        if (stage.motions.at(i) != 0.0 && !model::moves_obstacle(input, input.motions[i]))
+            refuse("loads." + input.motions[i].face, "a dynamic case cannot prescribe the displacement of a face",
+                   "use a force, or move an obstacle");
     return system;
 }
 
@@ -38,6 +40,14 @@ fem::LoadLevels shared_levels(const model::Case& input, Share&& share) {
         levels.pressures_Pa[i] = stage.supplies[i].value * share(input.loads[i].time_function);
     for (std::size_t i = 0; i < input.dead_loads.size(); ++i)
         levels.dead_loads[i] = stage.dead_loads.at(i) * share(input.dead_loads[i].time_function);
+    for (std::size_t i = 0; i < input.motions.size(); ++i)
+        levels.motions[i] = stage.motions.at(i) * share(input.motions[i].time_function);
+    return levels;
+}
+
+/// The levels of all loads but the motions.
+fem::LoadLevels forces_of(fem::LoadLevels levels) {
+    std::ranges::fill(levels.motions, 0.0);
     return levels;
 }
 
@@ -64,7 +74,7 @@ void fill_with_waves(Vec out) {
 }
 
 fem::LoadLevels full_levels(const model::Case& input) {
-    return shared_levels(input, [](const model::TimeFunction&) { return 1.0; });
+    return forces_of(shared_levels(input, [](const model::TimeFunction&) { return 1.0; }));
 }
 
 std::vector<double> kink_times(const model::Case& input) {
@@ -85,7 +95,7 @@ double shortest_change_s(const model::Case& input) {
     const double duration_s = dynamics_of(input).duration_s;
     double shortest = duration_s;
     (void)shared_levels(input, [&](const model::TimeFunction& time_function) {
-        shortest = std::min(shortest, solver::shortest_change_s(time_function, duration_s));
+        shortest = std::min(shortest, model::shortest_change_s(time_function, duration_s));
         return 0.0;
     });
     return shortest;
@@ -226,7 +236,7 @@ fem::LoadLevels MotionEquations::rates(double time_s, std::span<const double> li
 }
 
 fem::Evaluation MotionEquations::evaluate(Vec x, const fem::LoadLevels& levels, Mat K) {
-    std::vector<fem::LoadColumn> columns{{levels, load_force_}};
+    std::vector<fem::LoadColumn> columns{{forces_of(levels), load_force_}};
     for (std::size_t k = 0; k < lines_.count() && K != nullptr; ++k) {
         fem::LoadLevels unit = fem::no_loads(input_);
         unit.pressures_Pa[lines_.load(k)] = 1.0;

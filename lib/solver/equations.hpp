@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "fem/mass.hpp"
+#include "model/time_function.hpp"
 #include "solver/stage_loads.hpp"
-#include "solver/time_function.hpp"
 
 namespace soft::solver {
 
@@ -19,7 +19,7 @@ namespace soft::solver {
 struct MotionState {
     double time_s = 0;
     linalg::Vector x, v, a;         ///< v, a: 0 at pressure unknowns
-    linalg::Vector load_force;      ///< of all loads at this time
+    linalg::Vector load_force;      ///< of all loads at this time, without the push of obstacles
     std::vector<double> masses_kg;  ///< of the gas of each line, dead volume included
 };
 
@@ -31,9 +31,9 @@ struct MotionState {
 /// Fills `out` with entries between -1 and 1 without a pattern, which have a component along every mode.
 void fill_with_waves(Vec out);
 
-/// Levels with every time function at 1; cavities with lines have the pressure of their source.
+/// Levels with every time function at 1, obstacles at their place; cavities with lines have the pressure of their source.
 [[nodiscard]] fem::LoadLevels full_levels(const model::Case& input);
-/// Kinks of all time functions, ascending, and the shortest of their changes (time_function.hpp).
+/// Kinks of all time functions, ascending, and the shortest of their changes (model/time_function.hpp).
 [[nodiscard]] std::vector<double> kink_times(const model::Case& input);
 [[nodiscard]] double shortest_change_s(const model::Case& input);
 

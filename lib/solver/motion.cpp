@@ -20,6 +20,8 @@ constexpr double first_share = 1e-3, share_after_kink = 0.1;
 constexpr double growth_without_estimate = 2.0, max_step_growth = 2.0, min_step_factor = 0.3, rejection = 1.5;
 /// The size of the motion is at least this fraction of the linear response.
 constexpr double size_share = 0.1;
+/// And at least this fraction of the motion of an obstacle, which may reach the body late.
+constexpr double size_share_of_obstacles = 0.01;
 /// Steps of the starting method before generalised alpha (see the header): as many as its error estimate needs.
 constexpr int steps_of_starter = 3;
 /// Explicit steps relative to the stable step, which is estimated repeatedly because stretching stiffens the body: more often where it
@@ -54,7 +56,10 @@ MotionFollower::MotionFollower(fem::System& system, const solver::Listeners& lis
       settings_(input_.solver),
       listeners_(listeners),
       explicit_(is_explicit(dynamics_.integrator)),
-      equations_(system, explicit_ ? MassKind::lumped : MassKind::consistent) {}
+      equations_(system, explicit_ ? MassKind::lumped : MassKind::consistent) {
+    const auto& levels = input_.path.stages[0].motions;
+    moves_obstacles_ = std::ranges::any_of(levels, [](double level) { return level != 0.0; });
+}
 
 model::PathEnd MotionFollower::run() {
     start();
@@ -142,8 +147,20 @@ void MotionFollower::choose_first_step() {
         std::vector<double> none;
         if (stage_->solve_linear(force, std::vector<LineRow>(equations_.lines().count()), response, none))
             size_ = size_share * equations_.displacement_norm(response);
+        size_ = std::max(size_, size_share_of_obstacles * norm_of_obstacle_motion());
     }
     first_step_s_ = step_s_;
+}
+
+/// The norm of the displacements of a body that moves with the fastest obstacle.
+double MotionFollower::norm_of_obstacle_motion() const {
+    double largest_m = 0;
+    for (std::size_t i = 0; i < input_.motions.size(); ++i) {
+        double square = 0;
+        for (const auto& component : input_.motions[i].displacement_m) square += std::pow(component.value_or(0.0), 2);
+        largest_m = std::max(largest_m, std::abs(input_.path.stages[0].motions[i]) * std::sqrt(square));
+    }
+    return largest_m * linalg::norm(equations_.mask()) / std::sqrt(static_cast<double>(system_.dofs().dimension));
 }
 
 /// An automatic explicit step follows the stable step; a user-selected one is shortened where the body has become too stiff for it.
@@ -178,7 +195,20 @@ void MotionFollower::update_stable_step() {
                                            short_text(step_s_) + " s, more than a million; use an implicit integrator");
 }
 
+/// Not so long that an obstacle could pass through the body unseen.
+double MotionFollower::limited_by_obstacles(double step_s) {
+    MotionState ahead = copy_of(last_);
+    linalg::add(ahead.x, step_s, last_.v);
+    ahead.time_s += step_s;
+    return step_s * system_.contact().share_without_crossing(last_.x, levels_of(last_), ahead.x, levels_of(ahead));
+}
+
 double MotionFollower::next_step() {
+    const double longest = longest_step();
+    return moves_obstacles_ ? limited_by_obstacles(longest) : longest;
+}
+
+double MotionFollower::longest_step() const {
     double target = dynamics_.duration_s;
     for (const double kink : kinks_)
         if (kink > last_.time_s) {
@@ -236,7 +266,7 @@ void MotionFollower::accept(double step_s, std::optional<double> error) {
     size_ = std::max(size_, equations_.displacement_norm(next_.x));
     std::swap(last_, next_);
     if (!system_.internal().is_empty() || system_.contact().has_friction()) {
-        system_.prescribe(equations_.levels(last_.time_s, equations_.lines().pressures(last_.x, last_.masses_kg)));
+        system_.prescribe(levels_of(last_));
         system_.accept_step(last_.x);
     }
     if (starter_ && steps_ == steps_of_starter) {

@@ -18,7 +18,7 @@
 namespace soft::solver {
 
 /// Does not call the checkpoint and row listeners: a motion cannot be resumed or refined. Throws Error (bad_input) for
-/// a material without density, a supply that prescribes no pressure, a prescribed motion that changes, a pressure unknown
+/// a material without density, a supply that prescribes no pressure, a face that is moved, a pressure unknown
 /// with an explicit integrator, an explicit step longer than the stable one.
 [[nodiscard]] model::PathEnd integrate_motion(fem::System& system, const solver::Listeners& listeners);
 

@@ -38,8 +38,11 @@ private:
     void start();
     void make_method();
     void choose_first_step();
+    [[nodiscard]] double norm_of_obstacle_motion() const;
     void advance();
     [[nodiscard]] double next_step();
+    [[nodiscard]] double longest_step() const;
+    [[nodiscard]] double limited_by_obstacles(double step_s);
     [[nodiscard]] std::optional<StepResult> attempt(double step_s);
     [[nodiscard]] std::optional<double> relative_error(const StepResult& result, double step_s);
     void accept(double step_s, std::optional<double> error);
@@ -60,6 +63,8 @@ private:
 
     // motion_rows.cpp
     void integrate_energies(const MotionState& from, const MotionState& to);
+    [[nodiscard]] double work_of_obstacles(const MotionState& from, const MotionState& to);
+    [[nodiscard]] fem::LoadLevels levels_of(const MotionState& state) const;
     [[nodiscard]] solver::PathPoint measure();
     [[nodiscard]] std::optional<ContactEvent> contact_in(const MotionState& state);
     void append();
@@ -69,7 +74,7 @@ private:
     const model::Dynamics& dynamics_;
     const model::SolverSettings& settings_;
     const solver::Listeners& listeners_;
-    bool explicit_;
+    bool explicit_, moves_obstacles_;
     MotionEquations equations_;
     std::optional<StageSolver> stage_;  // of implicit integrators
     std::optional<StableStep> stable_;  // of explicit ones

@@ -14,6 +14,7 @@ void MotionFollower::integrate_energies(const MotionState& from, const MotionSta
     SOFT_PETSC(VecPointwiseMult(change, equations_.mask(), change));
     SOFT_PETSC(VecWAXPY(force, 1.0, from.load_force, to.load_force));
     load_work_J_ += 0.5 * linalg::dot(force, change);
+    if (moves_obstacles_) load_work_J_ += work_of_obstacles(from, to);
     max_work_J_ = std::max(max_work_J_, std::abs(load_work_J_));
     if (!equations_.has_damping()) return;
     SOFT_PETSC(VecZeroEntries(force));
@@ -22,12 +23,25 @@ void MotionFollower::integrate_energies(const MotionState& from, const MotionSta
     damping_work_J_ += linalg::dot(force, change);
 }
 
+fem::LoadLevels MotionFollower::levels_of(const MotionState& state) const {
+    return equations_.levels(state.time_s, equations_.lines().pressures(state.x, state.masses_kg));
+}
+
+double MotionFollower::work_of_obstacles(const MotionState& from, const MotionState& to) {
+    const linalg::Vector none = system_.make_vector();
+    fem::LoadLevels change = fem::no_loads(input_);
+    const fem::LoadLevels before = levels_of(from), after = levels_of(to);
+    for (std::size_t i = 0; i < change.motions.size(); ++i) change.motions[i] = after.motions[i] - before.motions[i];
+    return 0.5 * (system_.assembler().load_power(from.x, none, before, change) +
+                  system_.assembler().load_power(to.x, none, after, change));
+}
+
 solver::PathPoint MotionFollower::measure() {
     solver::PathTangent velocity;
     velocity.x = copy_of(last_.v);
     velocity.load_factor = 1.0 / dynamics_.duration_s;
     solver::PathPoint point{{copy_of(last_.x), last_.time_s / dynamics_.duration_s, {}}, std::move(velocity)};
-    const auto levels = equations_.levels(last_.time_s, equations_.lines().pressures(last_.x, last_.masses_kg));
+    const auto levels = levels_of(last_);
     const auto rates = equations_.rates(last_.time_s, equations_.lines().pressure_rates(last_));
     solver::read_values(system_, levels, rates, last_row_ ? &*last_row_ : nullptr, point);
     return point;
@@ -35,7 +49,7 @@ solver::PathPoint MotionFollower::measure() {
 
 std::optional<ContactEvent> MotionFollower::contact_in(const MotionState& state) {
     if (!listeners_.contact || input_.path.contact == model::Contact::ignore) return std::nullopt;
-    system_.prescribe(equations_.levels(state.time_s, equations_.lines().pressures(state.x, state.masses_kg)));
+    system_.prescribe(levels_of(state));
     return listeners_.contact(state.x);
 }
 

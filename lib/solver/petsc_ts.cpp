@@ -192,7 +192,7 @@ void TsIntegrator::implicit_function(double time_s, Vec y, Vec rate, Vec out) {
     SOFT_PETSC(VecWAXPY(forces_, 1.0, inertia_, equations_.residual()));
     equations_.add_damping(forces_, 1.0, v_);
     const double scale = solver_->force_scale(evaluation_, inertia_);
-    relative_residual_ = scale > 0.0 ? linalg::norm(forces_) / scale : 0.0;
+    relative_residual_ = StageSolver::relative_residual(forces_, scale);
     scale_N_ = scale;
     stage_time_s_ = time_s;
     // Rows of x: dx/dt - v, and at pressure unknowns, whose v is always 0, the residual of their equations.

@@ -117,6 +117,11 @@ double StageSolver::force_scale(const fem::Evaluation& evaluation, Vec inertia) 
     return std::max(scale, free_flight_forces * max_scale_);
 }
 
+double StageSolver::relative_residual(Vec forces, double scale) {
+    const double norm = linalg::norm(forces);
+    return scale > 0.0 ? norm / scale : norm > 0.0 ? 1.0 : 0.0;  // an obstacle pushes on a body at rest
+}
+
 bool StageSolver::is_rounding(double residual_N, Vec x, const fem::LoadLevels& levels) {
     if (probe_.get() == nullptr) {
         probe_ = equations_.system().make_vector();
@@ -141,8 +146,7 @@ double StageSolver::balance(const MotionState& state, const fem::Evaluation& eva
     equations_.add_inertia(inertia_, 1.0, state.a);
     linalg::add(r_, 1.0, inertia_);
     equations_.add_damping(r_, 1.0, state.v);
-    const double scale = force_scale(evaluation, inertia_);
-    return scale > 0.0 ? linalg::norm(r_) / scale : 0.0;
+    return relative_residual(r_, force_scale(evaluation, inertia_));
 }
 
 fem::Evaluation StageSolver::evaluate(const MotionState& state, std::span<const double> pressures, Mat K,

@@ -52,6 +52,8 @@ public:
     [[nodiscard]] int factorizations() const noexcept { return solver_.factorizations(); }
     /// Scale of the residuals, bounded from below for times at which all forces of the motion vanish.
     [[nodiscard]] double force_scale(const fem::Evaluation& evaluation, Vec inertia);
+    /// 0 without any forces, 1 where the scale is 0.
+    [[nodiscard]] static double relative_residual(Vec forces, double scale);
     /// Whether a residual [N] at x is no larger than the rounding error of R there, as for a stiff body that has moved very little or
     /// very far. The rounding error is the second difference R(x + 2d) - 2 R(x + d) + R(x) for a d so small that R is linear
     /// in it. Leaves the equations evaluated at x.

@@ -185,7 +185,7 @@ TEST(DynamicDesign, RejectsKeysOfAStaticPath) {
                        "a dynamic path takes a pressure as its supply", "write pressure");
     expect_refused("family: bar\nmaterial: {law: neo-hookean, mu: 1 MPa, density: 1000 kg/m^3}\n" + moving +
                        "loads: {end: {displacement: 1 mm, along: x}}\n",
-                   "loads.end.displacement: a prescribed displacement", "pressure or a traction");
+                   "loads.end.displacement: the displacement of a face", "pressure or a traction");
 }
 
 TEST(DynamicDesign, RejectsInvalidIntegratorSettings) {

@@ -30,13 +30,22 @@ TEST(Obstacle, IsAbsentByDefaultAndContactIsSolved) {
     EXPECT_TRUE(contains(refusal(base + "path: {contact: sovle}\n"), "did you mean 'solve'"));
 }
 
-TEST(Obstacle, DoesNotMoveInAMotion) {
-    const std::string design =
-        "family: pipe\nmaterial: {law: neo-hookean, mu: 0.1644 MPa, density: 1000 kg/m^3}\n" + table;
-    const std::string line =
-        refusal(design + "loads: {cavity: {pressure: 1 kPa}, table: {displacement: 1 mm, along: z}}\n" +
-                "dynamics: {duration: 10 ms}\n");
-    EXPECT_TRUE(contains(line, "loads.table.displacement: an obstacle does not move in a dynamic analysis")) << line;
+TEST(Obstacle, MovesContinuouslyInAMotion) {
+    const std::string design = "family: pipe\nmaterial: {law: neo-hookean, mu: 0.1644 MPa, density: 1000 kg/m^3}\n" +
+                               table + "dynamics: {duration: 10 ms}\n";
+    const auto moved = [&](const std::string& time_function) {
+        return design + "loads: {cavity: {pressure: 1 kPa}, table: {displacement: 1 mm, along: z" + time_function +
+               "}}\n";
+    };
+    const Design ramp = read(moved(", time_function: {kind: ramp, rise: 4 ms}"));
+    EXPECT_EQ(ramp.motions.at(0).time_function.time_s, 0.004);
+    EXPECT_EQ(read(moved("")).motions.at(0).time_function.kind, model::TimeFunctionKind::ramp);
+    const std::string jump = "loads.table.time_function: an obstacle cannot jump away from its place";
+    for (const char* function :
+         {", time_function: {kind: step}", ", time_function: {kind: table, times: [0 s, 1 s], shares: [0.1, 1]}"}) {
+        const std::string line = refusal(moved(function));
+        EXPECT_TRUE(contains(line, jump)) << line;
+    }
 }
 
 TEST(Obstacle, HasAShapeAndTheOrderOfTheDesign) {

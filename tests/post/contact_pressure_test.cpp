@@ -29,6 +29,20 @@ TEST(ContactPressure, ObstaclesMoveWithTheLevelsOfTheStages) {
     EXPECT_NEAR(obstacle_shifts(model, steps, 2)[0][2], 0.003 - 0.5 * 0.007, 1e-15);
 }
 
+TEST(ContactPressure, ObstaclesMoveWithTheirTimeFunctions) {
+    model::Case model;
+    model.obstacles = {{"table", model::Plane{{}, {0, 0, 1}}}};
+    model.motions = {{"table", {0, 0, 0.004}}};
+    model.motions[0].time_function.time_s = 0.5;
+    model.path.stages.emplace_back().motions = {2};
+    model.dynamics = model::Dynamics{.duration_s = 1};
+    std::vector<model::Step> steps(2);
+    steps[0].motion = {.time_s = 0.25};
+    steps[1].motion = {.time_s = 0.75};
+    EXPECT_NEAR(obstacle_shifts(model, steps, 0)[0][2], 0.004, 1e-15);
+    EXPECT_NEAR(obstacle_shifts(model, steps, 1)[0][2], 0.008, 1e-15);
+}
+
 /// The gap of a block that keeps its shape is uniform, and so is the pressure k |b'| on its face.
 TEST(ContactPressure, IsTheBarriersOnTheFaceThatTouchesAndZeroElsewhere) {
     const auto model = with_table(

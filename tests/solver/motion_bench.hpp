@@ -6,10 +6,13 @@
 #include <vector>
 
 #include "../fem/sample_cases.hpp"
+#include "../model/time_functions.hpp"
 #include "fem/system.hpp"
 #include "solver/motion.hpp"
 
 namespace soft::solver {
+
+using model::ramp_time_function, model::sine_time_function, model::step_time_function;
 
 struct Moved {
     std::vector<model::Step> steps;
@@ -25,24 +28,6 @@ inline Moved move(const model::Case& input) {
     result.end = integrate_motion(system, {.step = [&](const model::Step& step, Vec) { result.steps.push_back(step); },
                                            .log = [&](const std::string& line) { result.log.push_back(line); }});
     return result;
-}
-
-inline model::TimeFunction step_time_function() {
-    model::TimeFunction time_function;
-    time_function.kind = model::TimeFunctionKind::step;
-    return time_function;
-}
-/// time 0: as long as the motion
-inline model::TimeFunction ramp_time_function(double time_s = 0.0) {
-    model::TimeFunction time_function;
-    time_function.time_s = time_s;
-    return time_function;
-}
-inline model::TimeFunction sine_time_function(double frequency_Hz) {
-    model::TimeFunction time_function;
-    time_function.kind = model::TimeFunctionKind::sine;
-    time_function.frequency_Hz = frequency_Hz;
-    return time_function;
 }
 
 inline constexpr double bar_length_m = 0.01, bar_density = 1000.0;

@@ -1,35 +1,33 @@
-#include "solver/time_function.hpp"
+#include "model/time_function.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace soft::solver {
-
-using model::TimeFunctionKind;
+namespace soft::model {
 
 namespace {
 
-double ramp_time(const model::TimeFunction& time_function, double duration_s) {
+double ramp_time(const TimeFunction& time_function, double duration_s) {
     return time_function.time_s > 0.0 ? time_function.time_s : duration_s;
 }
 
 /// Index of the table's first time later than t.
-std::size_t next_entry(const model::TimeFunction& time_function, double time_s) {
+std::size_t next_entry(const TimeFunction& time_function, double time_s) {
     return static_cast<std::size_t>(std::ranges::upper_bound(time_function.times_s, time_s) -
                                     time_function.times_s.begin());
 }
 
-double table_slope(const model::TimeFunction& time_function, std::size_t next) {
+double table_slope(const TimeFunction& time_function, std::size_t next) {
     return (time_function.shares[next] - time_function.shares[next - 1]) /
            (time_function.times_s[next] - time_function.times_s[next - 1]);
 }
 
-double omega(const model::TimeFunction& time_function) { return 2.0 * std::numbers::pi * time_function.frequency_Hz; }
+double omega(const TimeFunction& time_function) { return 2.0 * std::numbers::pi * time_function.frequency_Hz; }
 
 }  // namespace
 
-double share_at(const model::TimeFunction& time_function, double duration_s, double time_s) {
+double share_at(const TimeFunction& time_function, double duration_s, double time_s) {
     switch (time_function.kind) {
         case TimeFunctionKind::ramp: return std::clamp(time_s / ramp_time(time_function, duration_s), 0.0, 1.0);
         case TimeFunctionKind::step: return time_s >= 0.0 ? 1.0 : 0.0;
@@ -43,7 +41,7 @@ double share_at(const model::TimeFunction& time_function, double duration_s, dou
            (time_s - time_function.times_s[next - 1]) * table_slope(time_function, next);
 }
 
-double share_rate(const model::TimeFunction& time_function, double duration_s, double time_s) {
+double share_rate(const TimeFunction& time_function, double duration_s, double time_s) {
     switch (time_function.kind) {
         case TimeFunctionKind::ramp:
             return time_s >= 0.0 && time_s < ramp_time(time_function, duration_s)
@@ -57,7 +55,7 @@ double share_rate(const model::TimeFunction& time_function, double duration_s, d
     return next == 0 || next == time_function.times_s.size() ? 0.0 : table_slope(time_function, next);
 }
 
-std::vector<double> kinks(const model::TimeFunction& time_function, double duration_s) {
+std::vector<double> kinks(const TimeFunction& time_function, double duration_s) {
     std::vector<double> times;
     if (time_function.kind == TimeFunctionKind::ramp) times = {ramp_time(time_function, duration_s)};
     if (time_function.kind == TimeFunctionKind::table) times = time_function.times_s;
@@ -65,7 +63,7 @@ std::vector<double> kinks(const model::TimeFunction& time_function, double durat
     return times;
 }
 
-double shortest_change_s(const model::TimeFunction& time_function, double duration_s) {
+double shortest_change_s(const TimeFunction& time_function, double duration_s) {
     double shortest = duration_s;
     if (time_function.kind == TimeFunctionKind::ramp)
         shortest = std::min(shortest, ramp_time(time_function, duration_s));
@@ -76,4 +74,4 @@ double shortest_change_s(const model::TimeFunction& time_function, double durati
     return shortest;
 }
 
-}  // namespace soft::solver
+}  // namespace soft::model

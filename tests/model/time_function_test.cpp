@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "motion_bench.hpp"
-#include "solver/time_function.hpp"
+#include "model/time_function.hpp"
+#include "time_functions.hpp"
 
-namespace soft::solver {
+namespace soft::model {
 namespace {
 
 constexpr double duration = 2.0;
@@ -40,8 +40,7 @@ TEST(TimeFunction, ASineHasItsFrequency) {
 }
 
 TEST(TimeFunction, ATableIsLinearBetweenItsTimesAndConstantBeyond) {
-    const model::TimeFunction table{
-        .kind = model::TimeFunctionKind::table, .times_s = {0.5, 1.0, 3.0}, .shares = {1.0, 0.0, 4.0}};
+    const TimeFunction table{.kind = TimeFunctionKind::table, .times_s = {0.5, 1.0, 3.0}, .shares = {1.0, 0.0, 4.0}};
     EXPECT_EQ(share_at(table, duration, 0.1), 1.0);
     EXPECT_DOUBLE_EQ(share_at(table, duration, 0.75), 0.5);
     EXPECT_DOUBLE_EQ(share_at(table, duration, 2.0), 2.0);
@@ -53,4 +52,4 @@ TEST(TimeFunction, ATableIsLinearBetweenItsTimesAndConstantBeyond) {
 }
 
 }  // namespace
-}  // namespace soft::solver
+}  // namespace soft::model
