@@ -138,13 +138,7 @@ std::vector<std::string> report_lines(const optimize::Goal& goal, const optimize
     else if (goal.has_data())
         lines.emplace_back("no standard errors: a bound is active, or there are not more data than numbers");
     if (goal.stable) lines.emplace_back(found.trial.is_stable ? "stable" : "stable: not met");
-    if (goal.minimize) {
-        const bool volume = goal.minimize->kind != optimize::Measure::Kind::curve;
-        lines.push_back(goal.minimize->text + ": " +
-                        (volume ? core::quantity_text(found.trial.objective.value_SI, core::Dimension::volume)
-                                : core::rounded_text(found.trial.objective.value_SI, 5)) +
-                        ", minimized");
-    }
+    if (goal.minimize) lines.push_back(goal.minimize->text + ": " + found.trial.objective_text + ", minimized");
     return lines;
 }
 

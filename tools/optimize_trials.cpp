@@ -32,6 +32,7 @@ nlohmann::json json_of(const std::vector<double>& values, const optimize::Trial&
     json["conditions"] = nlohmann::json::array();
     for (const auto& condition : trial.conditions) json["conditions"].push_back(json_of(condition));
     json["objective"] = json_of(trial.objective);
+    json["objective_text"] = trial.objective_text;
     json["stable"] = trial.is_stable;
     return json;
 }
@@ -44,6 +45,7 @@ optimize::Trial trial_of(const nlohmann::json& json) {
     }
     for (const auto& condition : json.at("conditions")) trial.conditions.push_back(value_of(condition));
     trial.objective = value_of(json.at("objective"));
+    trial.objective_text = json.value("objective_text", "");
     trial.is_stable = json.at("stable").get<bool>();
     return trial;
 }

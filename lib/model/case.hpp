@@ -278,7 +278,7 @@ struct Case {
 }
 
 /// The load that a curve shows: the pressure of the first pressure load; without one, the magnitude of the first traction [Pa], or
-/// of its force [N] if the design states a force; without either, the load factor.
+/// of its force [N] if the design states a force; without either, the load factor, in a motion the level of gravity or of the first obstacle.
 enum class LeadingLoad { pressure, traction, force, load_factor };
 [[nodiscard]] inline LeadingLoad leading_load(const Case& input) {
     if (!input.loads.empty()) return LeadingLoad::pressure;

@@ -25,14 +25,26 @@ const Trial& Record::at(const std::vector<double>& values) {
 }
 
 Found Record::found_of(const std::vector<double>& values, const Trial& trial) const {
-    Found found{values, trial, goal_.stable && !trial.is_stable ? 1.0 : 0.0, static_cast<int>(trials_.size())};
+    Found found{values, trial, of_bounds(trial), static_cast<int>(trials_.size())};
     for (std::size_t i = 0; i < goal_.conditions.size(); ++i)
         found.violation = std::max(found.violation, violation_of(goal_.conditions[i], trial.conditions[i].value_SI));
     return found;
 }
 
+double Record::of_bounds(const Trial& trial) const {
+    double violation = goal_.stable && !trial.is_stable ? 1.0 : 0.0;
+    for (std::size_t i = 0; i < goal_.conditions.size(); ++i)
+        if (goal_.conditions[i].relation != Condition::Relation::equal)
+            violation = std::max(violation, violation_of(goal_.conditions[i], trial.conditions[i].value_SI));
+    return violation;
+}
+
 bool Record::is_better(const Found& a, const Found& b) const {
-    if (a.violation != b.violation && std::max(a.violation, b.violation) > 0) return a.violation < b.violation;
+    const auto are_met = [](const Found& found) { return found.violation <= 0; };
+    const double of_a = goal_.minimize ? a.violation : of_bounds(a.trial),
+                 of_b = goal_.minimize ? b.violation : of_bounds(b.trial);
+    if (of_a != of_b && std::max(of_a, of_b) > 0) return of_a < of_b;
+    if (!goal_.minimize && are_met(a) != are_met(b)) return are_met(a);
     return objective(a.trial, nullptr) < objective(b.trial, nullptr);
 }
 

@@ -302,7 +302,13 @@ void add_run(const Goal& goal, std::size_t index, const Base& base, const std::v
             check_unit(condition.value_text, path->curve.find(condition.measure.quantity)->dimension,
                        condition.measure.text);
     }
-    if (goal.minimize && index == 0) trial.objective = measured(*goal.minimize, never, std::nullopt);
+    if (goal.minimize && index == 0) {
+        trial.objective = measured(*goal.minimize, never, std::nullopt);
+        const bool is_curve = goal.minimize->kind == Measure::Kind::curve;
+        trial.objective_text = core::quantity_text(
+            trial.objective.value_SI,
+            is_curve ? path->curve.find(goal.minimize->quantity)->dimension : core::Dimension::volume);
+    }
     if (!needs_path) return;
     for (std::size_t row = 0; row < path->steps.size(); ++row)
         if (last_row < 0 || static_cast<double>(row) < std::ceil(last_row) + 1)

@@ -19,10 +19,11 @@ struct Trial {
         double value_SI = 0;
         std::vector<double> gradient = {};  ///< by the variables, SI; 0 for whole numbers
     };
-    std::string failure;            ///< why there are no values; empty otherwise
-    std::vector<Value> conditions;  ///< in the order of the goal
-    Value objective;                ///< of Goal::minimize
-    bool is_stable = true;          ///< up to the last value at which the curve is measured
+    std::string failure;              ///< why there are no values; empty otherwise
+    std::vector<Value> conditions;    ///< in the order of the goal
+    Value objective;                  ///< of Goal::minimize
+    bool is_stable = true;            ///< up to the last value at which the curve is measured
+    std::string objective_text = {};  ///< "22.3 mm"
 };
 
 /// The contact check of a system, as for solver::follow_path.

@@ -75,7 +75,7 @@ Column leading_column(const model::Case& model) {
         case model::LeadingLoad::load_factor: break;
     }
     return coordinate("load_factor", none, Source::load,
-                      "fraction of the loads, if the case has no pressure, traction or force");
+                      "fraction of the loads, in a motion of the first one, if the case has no pressure, traction or force");
 }
 
 using Step = model::Step;

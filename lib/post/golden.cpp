@@ -56,6 +56,15 @@ std::vector<Track> make_tracks(const Curve& curve, std::span<const Pair> pairs) 
     return tracks;
 }
 
+/// Quantities that decide where all coordinates stay constant, as the work of friction where a body slides steadily.
+void add_dependents(const Curve& curve, std::span<const Pair> pairs, std::vector<Track>& tracks) {
+    constexpr double weight = 1e-6;  // the coordinates of rows that differ are farther apart
+    for (const Pair& pair : pairs)
+        if (pair.column != absent && curve.columns[pair.column].role == Role::dependent &&
+            std::ranges::all_of(pair.golden, [](double value) { return std::isfinite(value); }))
+            tracks.push_back({pair.column, pair.golden, weight});
+}
+
 /// A position between two rows of the path.
 struct PathPosition {
     std::size_t left, right;  ///< rows
@@ -190,7 +199,7 @@ Verdict check_golden(const Curve& curve, const core::Table& golden, const Tolera
     if (golden.headings.empty())
         throw Error(ExitCode::bad_input, golden.source, "has no header", "give a table written by postprocess");
     const std::vector<Pair> pairs = pair_columns(curve, golden, tolerance);
-    const std::vector<Track> tracks = make_tracks(curve, pairs);
+    std::vector<Track> tracks = make_tracks(curve, pairs);
     if (tracks.empty())
         throw Error(ExitCode::bad_input, golden.source, "has no column that locates its rows on the path",
                     "it needs one of " + curve.coordinate_names());
@@ -200,6 +209,7 @@ Verdict check_golden(const Curve& curve, const core::Table& golden, const Tolera
         throw Error(ExitCode::bad_input, golden.source, "has no column to check besides the one that locates its rows",
                     "give a table with at least two quantities");
     const std::size_t leader = leading_track(tracks), column = tracks[leader].column;
+    add_dependents(curve, pairs, tracks);
     const Path path(curve);
     const auto lead = std::find_if(pairs.begin(), pairs.end(), [&](const Pair& pair) { return pair.column == column; });
     const std::vector<double> targets = within_reach(*lead, path.range(column), tolerance.relative);

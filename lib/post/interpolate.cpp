@@ -297,8 +297,8 @@ std::vector<double> Path::crossings(std::size_t column, double value) const {
     const auto& values = curve_->columns[column].values;
     const double last = values[rows_.back()], size = std::max(std::abs(last), std::abs(value));
     const bool at_the_end = std::abs(last - value) <= goal_tolerance * size;
-    if (at_the_end && (found.empty() || found.back() < s_.back() - goal_tolerance * (s_.back() - s_.front())))
-        found.push_back(s_.back());
+    const auto is_elsewhere = [&] { return found.back() < s_.back() - goal_tolerance * (s_.back() - s_.front()); };
+    if (last == value || (at_the_end && (found.empty() || is_elsewhere()))) found.push_back(s_.back());
     return found;
 }
 

@@ -114,6 +114,7 @@ void PathFollower::step() {
     std::optional<Event> touch;
     auto point = solve_step(aim, touch);
     if (!point) return recover();
+    if (auto stop = stop_before_row(path_, *point, system_)) return finish(std::move(*stop));
 
     const PredictorError error = error_of(system_, path_, aim, *point);
     if (is_refused(system_, path_, error, *point)) {
@@ -293,7 +294,7 @@ void PathFollower::recover() {
         report_row("contact snaps to " + describe(found->point) + ", energy set free " +
                    short_text(found->point.lost_J) + " J");
         go_on_from(std::move(found->point));
-        if (found->goal != nullptr) end_stage(found->goal->text);
+        if (found->goal != nullptr && !path_.finished) end_stage(found->goal->text);
         return;
     }
     if (auto point = may_be_kink ? pass_kink(corrector_, path_, failed) : std::nullopt;
@@ -308,7 +309,7 @@ void PathFollower::recover() {
         if (point) {
             report_row("passed a kink to " + describe(*point));
             go_on_from(std::move(*point));
-            if (goal != nullptr) end_stage(goal->text);
+            if (goal != nullptr && !path_.finished) end_stage(goal->text);
             return;
         }
     }
@@ -325,6 +326,7 @@ void PathFollower::recover() {
 }
 
 void PathFollower::go_on_from(PathPoint point) {
+    if (auto stop = stop_before_row(path_, point, system_)) return finish(std::move(*stop));
     if (path_.control.kind == ConstraintKind::arc && path_.step < 0.0)
         rescale(system_, *path_.loads, *path_.last, -1.0);
     path_.step = point.q - path_.last->q;

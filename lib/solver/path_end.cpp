@@ -25,6 +25,8 @@ constexpr double hardly_rising = 1e-2;
 constexpr double nearly_inverted = 0.05;
 
 constexpr const char* remedy = "; use smaller cells there (mesh.size)";
+/// Change of the load factor in one step of a path whose state does not depend on it.
+constexpr double without_bound = 1e4;
 constexpr const char* end_earlier = "; set path.until to end the path earlier, or request a smaller load";
 
 bool is_past_limit_point(const PathState& path) {
@@ -132,6 +134,15 @@ std::optional<Stop> stop_before_step(const PathState& path, fem::System& system)
             StopReason::limit_point,
             "the requested load is not reached: the path is past the limit point and stalls" + where + end_earlier};
     return Stop{StopReason::diverged, "the path stalls" + where + "; try another mesh.size"};
+}
+
+std::optional<Stop> stop_before_row(const PathState& path, const PathPoint& point, const fem::System& system) {
+    if (std::abs(point.state.load_factor - path.last->state.load_factor) < without_bound) return std::nullopt;
+    return Stop{
+        StopReason::limit_point,
+        "the requested load is not reached: the path has turned back to " + state_text(*path.last, system.input()) +
+            ", beyond which the load changes and the state does not, as where an obstacle that moves has left it" +
+            end_earlier};
 }
 
 std::optional<Stop> stop_at_row(const PathState& path, fem::System& system) {

@@ -17,6 +17,10 @@ inline constexpr std::size_t stalled_rows = 150;
 inline constexpr double stalled_length = 0.01;
 [[nodiscard]] std::optional<Stop> stop_before_step(const PathState& path, fem::System& system);
 
+/// At a point that is no row yet: its state does not depend on the load any more, which a step along the path therefore changes without bound.
+[[nodiscard]] std::optional<Stop> stop_before_row(const PathState& path, const PathPoint& point,
+                                                  const fem::System& system);
+
 /// Where rows are refused because walls pass through each other, also with the shortest steps. `state`: of the last row.
 [[nodiscard]] Stop unresolved(const ContactEvent& crossing, const std::string& state);
 

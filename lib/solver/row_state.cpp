@@ -35,7 +35,9 @@ double leading_of(const model::Case& input, const LoadLevels& levels, double loa
         case model::LeadingLoad::traction: return first_traction_Pa(input, levels);
         case model::LeadingLoad::force:
             return first_traction_Pa(input, levels) * input.dead_loads[*model::first_traction(input)].area_m2;
-        case model::LeadingLoad::load_factor: return load_factor;
+        case model::LeadingLoad::load_factor:
+            if (!input.dynamics) return load_factor;
+            return levels.dead_loads.empty() ? levels.motions.at(0) : levels.dead_loads[0];  // of time functions
     }
     throw std::logic_error("leading_of: unknown load");
 }

@@ -64,6 +64,19 @@ TEST(Search, ReturnsTheNearestWhereNothingMeetsTheConditions) {
     EXPECT_NEAR(found.violation, 0.8, 2e-3);
 }
 
+TEST(Search, TheNearestCountsTheTargetsByWhatTheyAllow) {
+    // x = 1 within 0.5 % and x = 1.2 within 2 %, x below 2: the weighted mean of both, not the middle of the differences
+    const Goal goal = goal_of({variable("x", 0.5, 3)},
+                              {condition(equal, 1, 5e-3), condition(equal, 1.2, 2e-2), condition(below, 2)}, false);
+    const auto line = [](const std::vector<double>& v) {
+        return Trial{"", {{v[0], {1}}, {v[0], {1}}, {v[0], {1}}}, {}, true};
+    };
+    const double first = 1 / std::pow(5e-3, 2), second = 1 / std::pow(2e-2 * 1.2, 2);
+    const Found found = search(goal, {2.9}, {1}, line, silent);
+    EXPECT_NEAR(found.values[0], (first + 1.2 * second) / (first + second), 1e-4);
+    EXPECT_GT(found.violation, 0);
+}
+
 TEST(Search, OfWholeNumbersTriesNeighboursAndOptimizesBetweenThem) {
     Variable n = variable("n", 1, 20);
     n.is_whole = true;

@@ -51,6 +51,28 @@ claim "... and nothing pushes it" [ "$(column push_N withdrawn.csv | tail -n 1)"
 rod_and_post
 runs 'mesh-gen -q pressed.yaml --set contact.friction=0.4 --set "path.stages={up: {loads: {post: {displacement: 2 mm}}}, down: {loads: {post: {displacement: 0 mm}}}}" | solve -q | postprocess -q -o rod.csv'
 claim "a rod that a post has left is straight" within "$(column rise_mm rod.csv | tail -n 1)" -1e-6 1e-6
+# A tube of fixed volume in a sleeve cannot be pressed so far: its path turns back until the plate has left it, and ends there.
+cat >held.yaml <<'END'
+family: tube
+geometry: {length: 30 mm, outer_radius: 10 mm, inner_radius: 8 mm, cap: 3 mm}
+material: {law: neo-hookean, mu: 0.1 MPa, kappa: incompressible}
+model: axisymmetric
+mesh: {quality: fine}
+supports: {fixed: fixed}
+obstacles:
+  sleeve: {cylinder: {point: [0 mm, 0 mm, 0 mm], axis: [1, 0, 0], radius: 10.5 mm, inside: true}}
+  plate: {plane: {point: [31 mm, 0 mm, 0 mm], normal: [-1, 0, 0]}}
+loads:
+  cavity: {volume: 6.05 mL}
+  plate: {displacement: -3 mm, along: x}
+path: {stages: {fill: {loads: {cavity: {volume: 6.05 mL}}}, press: {loads: {plate: {displacement: -3 mm}}}}}
+outputs: {way: {obstacle: plate, measure: displacement, along: x}, end: {face: inlet, along: x}}
+END
+run 'mesh-gen -q held.yaml | solve -q -o held.h5'
+claim "a load that is not reached ends the path early" exits 2
+runs 'postprocess -q held.h5 -o held.csv'
+claim "the plate stays within its way" within "$(column way_mm held.csv | sort -g | tail -n 1)" 0 10
+claim "the volume stays as prescribed" within "$(column volume_mL held.csv | tail -n 1)" 6.0499999 6.0500001
 # Rows after a contact that stops the bellows are short: the path is not closed.
 runs "$bellows --set 'loads={cavity: {volume: 11 mL}}' | solve -q | postprocess -q -o volume.csv"
 claim "a prescribed volume is reached in contact" within "$(column volume_mL volume.csv | tail -n 1)" 10.9999999 11.0000001

@@ -16,6 +16,23 @@ runs "solve -q 0.h5 --set contact.friction=0.5 -o set.h5 && postprocess -q set.h
 claim "solve --set changes the friction" cmp 0.5.csv set.csv
 run 'timeout -s KILL 1.5 solve -q 0.5.h5 -o part.h5; if [ -s part.h5 ]; then solve -q --resume part.h5; else solve -q 0.5.h5 -o part.h5; fi; postprocess -q part.h5 --also load_work,stored_energy,friction_work,dissipated_energy | cmp - 0.5.csv'
 claim "a solve that is killed and resumed gives the same curve to the byte" exits 0
+# Where the tube slides steadily, nothing but the work of friction changes.
+runs 'mesh-gen -q - --set mesh.quality=draft -o slides.h5 <<END
+family: tube
+geometry: {length: 40 mm, outer_radius: 10 mm, inner_radius: 8 mm, cap: 3 mm}
+material: {law: neo-hookean, mu: 0.1 MPa, kappa: incompressible}
+model: axisymmetric
+supports: {fixed: fixed}
+contact: {friction: 0.2}
+obstacles:
+  sleeve: {cylinder: {point: [0 mm, 0 mm, 0 mm], axis: [1, 0, 0], radius: 10.6 mm, inside: true}}
+loads:
+  cavity: {pressure: 20 kPa}
+  sleeve: {displacement: 6 mm, along: x}
+path: {stages: {fill: {loads: {cavity: {pressure: 20 kPa}}}, pull: {loads: {sleeve: {displacement: 6 mm}}}}}
+outputs: {pull: {obstacle: sleeve, measure: force, along: x}}
+END'
+runs 'solve -q slides.h5 -o slid.h5 && postprocess -q slid.h5 --also friction_work -o slid.csv && postprocess -q slid.h5 --also friction_work --check slid.csv'
 runs "mpirun -n 2 solve -q 0.5.h5 -o two.h5 && postprocess -q two.h5 --also friction_work -o two.csv"
 claim "two ranks dissipate the same" within "$(awk -v a="$(last friction_work_mJ two.csv)" -v b="$(last friction_work_mJ 0.5.csv)" 'BEGIN { print a / b }')" 0.999 1.001
 
