@@ -118,10 +118,15 @@ model::Case build_case(const design::Design& design, mesh::Mesh mesh, const mode
     result.path = design.path;
     result.solver = design.solver;
     result.dynamics = design.dynamics;
-    if (result.dynamics && result.dynamics->integrator == model::Integrator::rosenbrock && model::has_friction(result))
-        throw design.values.refuse(
-            "dynamics.integrator", "rosenbrock solves linear equations, and friction that slides is not linear",
-            "use another implicit integrator, or set contact.friction and that of the obstacles to 0");
+    if (result.dynamics && result.dynamics->integrator == model::Integrator::rosenbrock) {
+        const auto refuse = [&](const std::string& what, const std::string& or_else) {
+            throw design.values.refuse("dynamics.integrator", "rosenbrock solves linear equations, and " + what,
+                                       "use another implicit integrator" + or_else);
+        };
+        if (model::has_friction(result))
+            refuse("friction that slides is not linear", ", or set contact.friction and that of the obstacles to 0");
+        if (!result.motions.empty()) refuse("contact with an obstacle that moves is not linear", "");
+    }
     result.mesh = std::move(mesh);
     return result;
 }
