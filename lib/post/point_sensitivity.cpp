@@ -29,23 +29,30 @@ SensitivityColumns add_sensitivity_columns(Curve& curve, const model::Case& mode
         curve.columns.push_back(std::move(column));
     };
     for (std::size_t q = 0; q < added.quantities; ++q) add([&](std::size_t row) { return slope(steps[row], q); });
-    for (std::size_t p = 0; p < model.parameters.size(); ++p)
+    for (std::size_t p = 0; p < model.parameters.size(); ++p) {
+        const auto derivatives = [&](std::size_t row) { return &steps[row].derivatives[p * added.quantities]; };
         for (std::size_t q = 0; q < added.quantities; ++q)
             add([&](std::size_t row) {
                 return with_derivatives(steps, row, [&](std::size_t known) {
-                    const double* D = &steps[known].derivatives[p * added.quantities];
+                    const double* D = derivatives(known);
                     return added.in_time || D[1] == 0 ? D[q] : D[q] - slope(steps[known], q) * D[1];
                 });
             });
+        add([&](std::size_t row) {
+            return with_derivatives(steps, row, [&](std::size_t known) { return derivatives(known)[1]; });
+        });
+    }
     return added;
 }
 
 double sensitivity_at(std::span<const double> row, const SensitivityColumns& columns, const Sensitivity& which) {
     if (which.quantity == which.held && !columns.in_time) return 0;
     const std::span<const double> slopes = row.subspan(columns.first, columns.quantities),
-                                  D = row.subspan(columns.first + (1 + which.parameter) * columns.quantities,
-                                                  columns.quantities);
+                                  D = row.subspan(
+                                      columns.first + columns.quantities + which.parameter * (columns.quantities + 1),
+                                      columns.quantities + 1);
     if (columns.in_time) return D[which.quantity];
+    if (which.held == 0 && slopes[0] == 0) return D[which.quantity] + slopes[which.quantity] * D[columns.quantities];
     return D[which.quantity] - slopes[which.quantity] / slopes[which.held] * D[which.held];
 }
 

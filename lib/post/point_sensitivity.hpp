@@ -3,6 +3,8 @@
 /// Quantity 0 is the leading load, quantity 1 + i the output i. With the derivatives D at a fixed first output and the slopes s over the
 /// first output along the path,
 ///   dq/dtheta at a fixed h = D_q - s_q D_h / s_h          (theory manual, 6.10).
+/// Where the load is held (model::holds_load), its value fixes no point of the path: then the derivative at a fixed load is that at the same
+/// progress of the loads, D_q + s_q D_1 with that of the first output, D_1.
 /// On a path in time D is the derivative at a fixed time, and nothing else is held.
 /// D and s are smooth along the path, so they are interpolated as columns of the curve. Tested by post/point_sensitivity_test and
 /// pipeline/sweep_sensitivity.
@@ -13,7 +15,7 @@
 
 namespace soft::post {
 
-/// The columns that add_sensitivity_columns appends to a curve: the slopes, and for each number of the design its D.
+/// The columns that add_sensitivity_columns appends to a curve: the slopes, and for each number of the design its D and D_1.
 struct SensitivityColumns {
     std::size_t first = 0;       ///< index of the first one
     std::size_t quantities = 0;  ///< 0: the steps have no derivatives

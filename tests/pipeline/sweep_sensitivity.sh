@@ -40,6 +40,20 @@ claim "they are those of postprocess" within "$(ratio "$(column d_load own.csv |
 runs "$sweep walls.yaml"
 claim "nothing is computed again" grep -q ' 3 designs, 0 to compute ' "$seen/err"
 
+# A wall is pushed against a bellows that is held at a pressure.
+cat >pushed.yaml <<'YAML'
+design: designs/bellows-at-wall.yaml
+vary: {geometry.wall: [2.997 mm, 3 mm, 3.003 mm]}
+set: {mesh.quality: draft, 'loads': '{cavity: {pressure: 5 kPa}, wall: {displacement: 4 mm, along: x}}',
+      'path.stages': '{fill: {loads: {cavity: {pressure: 5 kPa}}}, push: {loads: {wall: {displacement: 4 mm}}}}'}
+at: [end]
+outputs: [push_N, elongation_mm]
+sensitivity: [geometry.wall]
+YAML
+runs "$sweep pushed.yaml"
+table=results/sweeps/pushed/results.csv
+compare push_by_geometry_wall_N_per_mm_at_end push_N_at_end 0.006 $table 5e-3
+
 # Limit pressures, which are proportional to mu.
 cat >tubes.yaml <<'YAML'
 design: designs/tube.yaml

@@ -55,6 +55,23 @@ TEST(PointSensitivity, IsTheDerivativeAtAFixedLoadOrOutput) {
     }
 }
 
+/// A stage in which an obstacle moves while the pressure is held: the derivatives in the rows are those at the same place of the obstacle.
+TEST(PointSensitivity, WhereTheLoadIsHeldIsThatAtTheSameProgressOfTheLoads) {
+    TwoOutputs path;
+    for (model::Step& step : path.steps) {
+        step.pressure_Pa = 5e3;
+        step.tangent_pressure = 0;
+        step.tangent_load_factor = 1;
+        step.derivatives[load] = 0;
+    }
+    for (const double u_mm : {20.0, 30.0, 40.0}) {
+        const double u = u_mm / 1000;
+        EXPECT_NEAR(path.at(u_mm, first, load), 0.5, 1e-9);
+        EXPECT_NEAR(path.at(u_mm, second, load), g * u * u + 2 * g * w * u * 0.5, 1e-9 * g * u * u);
+        EXPECT_NEAR(path.at(u_mm, second, first), g * u * u, 1e-9 * g * u * u);
+    }
+}
+
 TEST(PointSensitivity, IsInterpolatedBetweenTheRows) {
     const TwoOutputs path;
     EXPECT_NEAR(path.at(25, first, load), -0.025 / w, 2e-3 * 0.025 / w);
