@@ -100,8 +100,9 @@ std::string RemainingTime::text(double share) const {
 
 std::string summary_line(const SolveSummary& summary, const model::Case& model) {
     return std::string{model::name(summary.end.reason)} + ": " + summary.end.detail + "; " +
-           core::counted(summary.steps, "step") + ", " + core::counted(summary.end.newton_iterations, "iteration") +
-           ", " + core::counted(summary.end.factorizations, "factorization") + "; " +
+           core::counted(summary.steps, model.dynamics ? "row" : "step") + ", " +
+           core::counted(summary.end.newton_iterations, "iteration") + ", " +
+           core::counted(summary.end.factorizations, "factorization") + "; " +
            (model.dynamics ? motion_text(summary, *model.dynamics) : std::string{}) +
            core::rounded_text(summary.wall_s, 3) + " s";
 }

@@ -44,7 +44,7 @@ explicit='--set mesh.formulation=f-bar --set mesh.order=1 --set material.kappa=1
 run "mesh-gen -q designs/sphere.yaml $static $explicit --set dynamics.duration=100ms -o long.h5; solve long.h5 --json solve.json -o long-result.h5"
 claim "it ends early" exits 2
 claim "the stop reason is the step limit" has step_limit solve.json stop_reason
-claim "the result contains only the state at rest" grep -q 'use an implicit integrator; 0 steps,' "$seen/err"
+claim "the result contains only the state at rest" grep -q 'use an implicit integrator; 0 rows,' "$seen/err"
 
 # A slow motion into contact ends in the static state.
 wall='mesh-gen -q designs/membrane-at-wall.yaml --set mesh.size=1mm'
