@@ -45,7 +45,7 @@ optimize::Trial trial_of(const nlohmann::json& json) {
     }
     for (const auto& condition : json.at("conditions")) trial.conditions.push_back(value_of(condition));
     trial.objective = value_of(json.at("objective"));
-    trial.objective_text = json.value("objective_text", "");
+    trial.objective_text = json.at("objective_text").get<std::string>();
     trial.is_stable = json.at("stable").get<bool>();
     return trial;
 }

@@ -125,7 +125,7 @@ model::Case build_case(const design::Design& design, mesh::Mesh mesh, const mode
         };
         if (model::has_friction(result))
             refuse("friction that slides is not linear", ", or set contact.friction and that of the obstacles to 0");
-        if (!result.motions.empty()) refuse("contact with an obstacle that moves is not linear", "");
+        if (!result.motions.empty()) refuse("one solution per stage does not follow an obstacle that moves", "");
     }
     result.mesh = std::move(mesh);
     return result;

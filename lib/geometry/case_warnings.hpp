@@ -20,7 +20,6 @@
 
 namespace soft::geometry {
 
-/// Throws Error (bad_input) for a path that removes all gas of an undeformed cavity.
 [[nodiscard]] std::vector<std::string> case_warnings(const design::Design& design, const model::Case& built);
 
 }  // namespace soft::geometry

@@ -130,7 +130,7 @@ struct DeadLoad {
 struct Motion {
     std::string face;                                     ///< or the name of an obstacle
     std::array<std::optional<double>, 3> displacement_m;  ///< at level 1; axisymmetric: x, r, unused
-    TimeFunction time_function = {};                      ///< of an obstacle
+    TimeFunction time_function = {};                      ///< of an obstacle in a motion in time
 };
 
 /// Output::obstacle of the contact of the actuator with itself.

@@ -40,11 +40,11 @@ double Record::of_bounds(const Trial& trial) const {
 }
 
 bool Record::is_better(const Found& a, const Found& b) const {
-    const auto are_met = [](const Found& found) { return found.violation <= 0; };
     const double of_a = goal_.minimize ? a.violation : of_bounds(a.trial),
                  of_b = goal_.minimize ? b.violation : of_bounds(b.trial);
-    if (of_a != of_b && std::max(of_a, of_b) > 0) return of_a < of_b;
-    if (!goal_.minimize && are_met(a) != are_met(b)) return are_met(a);
+    if (of_a != of_b) return of_a < of_b;
+    const bool is_met_a = a.violation == 0, is_met_b = b.violation == 0;
+    if (!goal_.minimize && is_met_a != is_met_b) return is_met_a;
     return objective(a.trial, nullptr) < objective(b.trial, nullptr);
 }
 

@@ -19,7 +19,7 @@ public:
     /// The best trial so far; nullptr before the first success.
     [[nodiscard]] const Found* best() const noexcept { return best_ ? &*best_ : nullptr; }
     [[nodiscard]] Found found_of(const std::vector<double>& values, const Trial& trial) const;
-    /// Fewer violations, then the smaller objective. Where nothing is minimized, the objective are the targets: fewer violations of the
+    /// Fewer violations, then the smaller objective. Where nothing is minimized, the objective is the sum over the targets: fewer violations of the
     /// other conditions, then all targets met, then the smaller objective.
     [[nodiscard]] bool is_better(const Found& a, const Found& b) const;
     /// The measure to be minimized, or the sum of the squared differences from the targets over what is allowed; gradient by the

@@ -304,10 +304,12 @@ void add_run(const Goal& goal, std::size_t index, const Base& base, const std::v
     }
     if (goal.minimize && index == 0) {
         trial.objective = measured(*goal.minimize, never, std::nullopt);
-        const bool is_curve = goal.minimize->kind == Measure::Kind::curve;
-        trial.objective_text = core::quantity_text(
-            trial.objective.value_SI,
-            is_curve ? path->curve.find(goal.minimize->quantity)->dimension : core::Dimension::volume);
+        if (goal.minimize->kind == Measure::Kind::curve) {
+            const post::Column& column = *path->curve.find(goal.minimize->quantity);
+            trial.objective_text = post::value_text(column, post::in_column_unit(column, trial.objective.value_SI), 5);
+        } else {
+            trial.objective_text = core::quantity_text(trial.objective.value_SI, core::Dimension::volume);
+        }
     }
     if (!needs_path) return;
     for (std::size_t row = 0; row < path->steps.size(); ++row)

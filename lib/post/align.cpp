@@ -31,7 +31,8 @@ double distance(std::span<const Track> tracks, std::span<const double> ranges, s
     double sum = 0;
     for (std::size_t i = 0; i < tracks.size(); ++i)
         if (ranges[i] > 0)
-            sum += tracks[i].weight * std::pow((state[tracks[i].column] - tracks[i].values[row]) / ranges[i], 2);
+            sum +=
+                std::min(tracks[i].largest, std::pow((state[tracks[i].column] - tracks[i].values[row]) / ranges[i], 2));
     return sum;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 /// Assigns the rows of a table to positions on a path. Tested by post/golden_test.
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -11,14 +12,14 @@ namespace soft::post {
 struct Track {
     std::size_t column = 0;
     std::span<const double> values;
-    double weight = 1;  ///< of its squared distance
+    double largest = std::numeric_limits<double>::infinity();  ///< its squared distance counts at most as this
 };
 
 /// Index of the track with the fewest reversals (ideally a monotonic one); the first of equals. `tracks` must not be empty.
 [[nodiscard]] std::size_t leading_track(std::span<const Track> tracks);
 
 /// Path parameter of each row, at a crossing of the leading track with its value (`targets`). Among several crossings the choice
-/// minimises the weighted sum of squared distances in the other tracks, each divided by its range, without moving backwards along the path. NaN
+/// minimises the sum of squared distances in the other tracks, each divided by its range, without moving backwards along the path. NaN
 /// for a row whose target the path does not cross.
 [[nodiscard]] std::vector<double> align(const Path& path, std::span<const Track> tracks, std::size_t leader,
                                         std::span<const double> targets);

@@ -74,8 +74,9 @@ Column leading_column(const model::Case& model) {
             return coordinate("load", newton, Source::load, "first force on a face, if the case has no pressure load");
         case model::LeadingLoad::load_factor: break;
     }
-    return coordinate("load_factor", none, Source::load,
-                      "fraction of the loads, in a motion of the first one, if the case has no pressure, traction or force");
+    return coordinate(
+        "load_factor", none, Source::load,
+        "fraction of the loads, if the case has no pressure, traction or force; in a motion that of gravity, without it of the first obstacle that moves");
 }
 
 using Step = model::Step;

@@ -56,13 +56,16 @@ std::vector<Track> make_tracks(const Curve& curve, std::span<const Pair> pairs) 
     return tracks;
 }
 
-/// Quantities that decide where all coordinates stay constant, as the work of friction where a body slides steadily.
+/// Quantities that decide where all coordinates stay constant, as the work of friction where a body slides steadily; a difference in them
+/// counts less than one of 1e-4 of the range in a coordinate.
 void add_dependents(const Curve& curve, std::span<const Pair> pairs, std::vector<Track>& tracks) {
-    constexpr double weight = 1e-6;  // the coordinates of rows that differ are farther apart
-    for (const Pair& pair : pairs)
-        if (pair.column != absent && curve.columns[pair.column].role == Role::dependent &&
-            std::ranges::all_of(pair.golden, [](double value) { return std::isfinite(value); }))
-            tracks.push_back({pair.column, pair.golden, weight});
+    constexpr double largest = 1e-8, rounding = 1e-6;
+    for (const Pair& pair : pairs) {
+        if (pair.column == absent || curve.columns[pair.column].role != Role::dependent) continue;
+        const auto [low, high] = std::ranges::minmax(pair.golden);
+        if (high - low > rounding * pair.largest)  // false for NaN
+            tracks.push_back({pair.column, pair.golden, largest});
+    }
 }
 
 /// A position between two rows of the path.

@@ -20,6 +20,8 @@ fem::System& checked(fem::System& system) {
     if (input.path.stages.size() != 1)
         refuse("path", "a dynamic case has a single stage", "remove path.stages or dynamics");
     const auto& stage = input.path.stages[0];
+    if (input.loads.empty() && input.dead_loads.empty() && input.motions.empty())
+        refuse("loads", "no load acts on the body", "set loads.cavity.pressure");
     for (std::size_t load = 0; load < input.loads.size(); ++load)
         if (stage.supplies.at(load).what != model::Prescription::pressure)
             refuse("loads." + input.loads[load].name, "a dynamic case can prescribe only pressures",

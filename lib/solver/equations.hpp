@@ -31,7 +31,7 @@ struct MotionState {
 /// Fills `out` with entries between -1 and 1 without a pattern, which have a component along every mode.
 void fill_with_waves(Vec out);
 
-/// Levels with every time function at 1, obstacles at their place; cavities with lines have the pressure of their source.
+/// Levels with every time function at 1, obstacles not displaced; cavities with lines have the pressure of their source.
 [[nodiscard]] fem::LoadLevels full_levels(const model::Case& input);
 /// Kinks of all time functions, ascending, and the shortest of their changes (model/time_function.hpp).
 [[nodiscard]] std::vector<double> kink_times(const model::Case& input);

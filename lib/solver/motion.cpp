@@ -32,8 +32,6 @@ constexpr double much_change = 0.03, little_change = 0.01;
 /// A user-selected step is kept up to this fraction of the stable one: a margin for stiffening before the next estimate.
 constexpr double nearly_unstable = 0.97;
 constexpr int explicit_step_limit = 1'000'000;
-/// The undeformed body counts as stress-free if its forces (of a law with initial stress) are below this fraction of the loads.
-constexpr double hardly_stressed = 1e-6;
 /// Times that differ by less than this fraction of a step are equal.
 constexpr double same_time = 1e-6;
 
@@ -105,10 +103,7 @@ void MotionFollower::start() {
     else
         stage_.emplace(equations_);
     make_method();
-    (void)equations_.evaluate(last_.x, fem::no_loads(input_), nullptr);
-    const double own = linalg::norm(equations_.residual());
-    (void)equations_.evaluate(last_.x, full_levels(input_), nullptr);
-    is_free_of_stress_ = own <= hardly_stressed * linalg::norm(equations_.load_force());
+    is_free_of_stress_ = !system_.has_initial_stress();
     choose_first_step();
     if (explicit_)
         (void)explicit_acceleration(equations_, last_);
@@ -141,15 +136,21 @@ void MotionFollower::choose_first_step() {
                             short_text(stable_step_s_) + " s",
                         "use at most " + short_text(stable_share * stable_step_s_) + " s, or remove the key");
     } else if (!is_constant()) {
-        if (!stage_->factorize(last_.x, fem::no_loads(input_), 0.0, 1.0 / (duration * duration))) return;
-        (void)equations_.evaluate(last_.x, full_levels(input_), nullptr);
-        const linalg::Vector force = copy_of(equations_.load_force()), response = linalg::duplicate(last_.x);
-        std::vector<double> none;
-        if (stage_->solve_linear(force, std::vector<LineRow>(equations_.lines().count()), response, none))
-            size_ = size_share * equations_.displacement_norm(response);
-        size_ = std::max(size_, size_share_of_obstacles * norm_of_obstacle_motion());
+        size_ = std::max(size_share * norm_of_linear_response(), size_share_of_obstacles * norm_of_obstacle_motion());
     }
     first_step_s_ = step_s_;
+}
+
+/// Of (K0 + M / duration^2)^-1 f to all loads at their full level; 0 where it does not exist.
+double MotionFollower::norm_of_linear_response() {
+    const double duration = dynamics_.duration_s;
+    if (!stage_->factorize(last_.x, fem::no_loads(input_), 0.0, 1.0 / (duration * duration))) return 0;
+    (void)equations_.evaluate(last_.x, full_levels(input_), nullptr);
+    const linalg::Vector force = copy_of(equations_.load_force()), response = linalg::duplicate(last_.x);
+    std::vector<double> none;
+    const bool is_solved =
+        stage_->solve_linear(force, std::vector<LineRow>(equations_.lines().count()), response, none);
+    return is_solved ? equations_.displacement_norm(response) : 0;
 }
 
 /// The norm of the displacements of a body that moves with the fastest obstacle.
@@ -195,12 +196,13 @@ void MotionFollower::update_stable_step() {
                                            short_text(step_s_) + " s, more than a million; use an implicit integrator");
 }
 
-/// Not so long that an obstacle could pass through the body unseen.
+/// Where an obstacle moves: not so long that surfaces could pass through each other unseen.
 double MotionFollower::limited_by_obstacles(double step_s) {
-    MotionState ahead = copy_of(last_);
-    linalg::add(ahead.x, step_s, last_.v);
-    ahead.time_s += step_s;
-    return step_s * system_.contact().share_without_crossing(last_.x, levels_of(last_), ahead.x, levels_of(ahead));
+    const linalg::Vector ahead = linalg::duplicate(last_.x);
+    SOFT_PETSC(VecWAXPY(ahead, step_s, last_.v, last_.x));
+    const auto pressures = equations_.lines().pressures(last_.x, last_.masses_kg);
+    return step_s * system_.contact().share_without_crossing(last_.x, levels_of(last_), ahead,
+                                                             equations_.levels(last_.time_s + step_s, pressures));
 }
 
 double MotionFollower::next_step() {

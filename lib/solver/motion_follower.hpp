@@ -5,7 +5,7 @@
 /// Steps: constant (Dynamics::step_s), by the stable step (explicit), else by the local error of x,
 ///   e = method's own (embedded) or constant x h^(q+1) |(q+1)! x[t0 .. t(q+1)]|, the divided difference of the last positions,
 /// which must be below `accuracy` x the size of the motion: the largest |x| so far, at least a tenth of the linear response
-/// (K0 + M / duration^2)^-1 f to all loads at their full level. Adaptive steps end at the kinks of the loads and are small
+/// (K0 + M / duration^2)^-1 f to all loads at their full level, and a hundredth of the motion of the fastest obstacle. Adaptive steps end at the kinks of the loads and are small
 /// after them.
 ///
 /// Loads that act suddenly accelerate the body in modes that no step resolves, by F/M of single cells. Generalised alpha, whose first
@@ -38,6 +38,7 @@ private:
     void start();
     void make_method();
     void choose_first_step();
+    [[nodiscard]] double norm_of_linear_response();
     [[nodiscard]] double norm_of_obstacle_motion() const;
     void advance();
     [[nodiscard]] double next_step();

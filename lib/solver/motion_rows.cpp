@@ -28,10 +28,8 @@ fem::LoadLevels MotionFollower::levels_of(const MotionState& state) const {
 }
 
 double MotionFollower::work_of_obstacles(const MotionState& from, const MotionState& to) {
-    const linalg::Vector none = system_.make_vector();
-    fem::LoadLevels change = fem::no_loads(input_);
-    const fem::LoadLevels before = levels_of(from), after = levels_of(to);
-    for (std::size_t i = 0; i < change.motions.size(); ++i) change.motions[i] = after.motions[i] - before.motions[i];
+    const linalg::Vector none = system_.make_vector();  // without the motion of the body, only obstacles work
+    const fem::LoadLevels before = levels_of(from), after = levels_of(to), change = fem::moved(after, -1.0, before);
     return 0.5 * (system_.assembler().load_power(from.x, none, before, change) +
                   system_.assembler().load_power(to.x, none, after, change));
 }

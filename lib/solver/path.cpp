@@ -69,6 +69,7 @@ PathFollower::PathFollower(fem::System& system, const Listeners& listeners, Sens
       corrector_(system),
       recorder_(corrector_, listeners, sensitivities) {
     path_.undeformed_volumes_m3 = undeformed_volumes_m3(system);
+    require_gas(input_, path_.undeformed_volumes_m3);
 }
 
 model::PathEnd PathFollower::run(const model::Checkpoint* from) {
@@ -114,7 +115,6 @@ void PathFollower::step() {
     std::optional<Event> touch;
     auto point = solve_step(aim, touch);
     if (!point) return recover();
-    if (auto stop = stop_before_row(path_, *point, system_)) return finish(std::move(*stop));
 
     const PredictorError error = error_of(system_, path_, aim, *point);
     if (is_refused(system_, path_, error, *point)) {
@@ -140,6 +140,7 @@ void PathFollower::step() {
     if (shorten_for_time(system_, path_, late, *point))
         return report_row("step of " + short_text(taken) + " has " + short_text(*late) +
                           " times the error in time allowed: repeated with a shorter step");
+    if (auto stop = stop_before_row(path_, *point, system_)) return finish(std::move(*stop));
     if (touch && is_first_try(system_, path_, taken)) reduce_first_step(path_, round_step_size(taken));
     path_.attempts = {};
     report_row(describe(*point) + row_text(*point, error, corrector_.last_result().iterations));
@@ -291,11 +292,8 @@ void PathFollower::recover() {
     const bool may_snap = may_be_kink && path_.last->touches && (failures == failures_before_kink || too_short);
     const double first_attempt = failed / std::pow(cut_of_failed_step, failures - 1);
     if (auto found = may_snap ? snap(corrector_, path_, listeners_, first_attempt) : std::nullopt) {
-        report_row("contact snaps to " + describe(found->point) + ", energy set free " +
-                   short_text(found->point.lost_J) + " J");
-        go_on_from(std::move(found->point));
-        if (found->goal != nullptr && !path_.finished) end_stage(found->goal->text);
-        return;
+        const std::string lost = ", energy set free " + short_text(found->point.lost_J) + " J";
+        return go_on_from(std::move(found->point), found->goal, "contact snaps to ", lost);
     }
     if (auto point = may_be_kink ? pass_kink(corrector_, path_, failed) : std::nullopt;
         point && !breaks_energy_balance(corrector_, path_, *point) && !find_crossing(corrector_, listeners_, *point)) {
@@ -306,12 +304,7 @@ void PathFollower::recover() {
             point = corrector_.solve_at(frame_of(path_), goal->constraint, goal->target,
                                         between(path_.last->state, point->state, way));
         }
-        if (point) {
-            report_row("passed a kink to " + describe(*point));
-            go_on_from(std::move(*point));
-            if (goal != nullptr && !path_.finished) end_stage(goal->text);
-            return;
-        }
+        if (point) return go_on_from(std::move(*point), goal, "passed a kink to ");
     }
     if (const auto change = control_after_failure(system_, path_, attempt.end, too_short))
         return change_control(*change);
@@ -325,14 +318,16 @@ void PathFollower::recover() {
     finish(stop_without_step(path_, system_, attempt));
 }
 
-void PathFollower::go_on_from(PathPoint point) {
+void PathFollower::go_on_from(PathPoint point, const Goal* goal, const std::string& how, const std::string& what) {
     if (auto stop = stop_before_row(path_, point, system_)) return finish(std::move(*stop));
+    report_row(how + describe(point) + what);
     if (path_.control.kind == ConstraintKind::arc && path_.step < 0.0)
         rescale(system_, *path_.loads, *path_.last, -1.0);
     path_.step = point.q - path_.last->q;
     path_.attempts = {};
     commit(std::move(point));
     path_.before.reset();
+    if (goal != nullptr) end_stage(goal->text);
 }
 
 void PathFollower::begin(State state) {

@@ -25,8 +25,6 @@ constexpr double hardly_rising = 1e-2;
 constexpr double nearly_inverted = 0.05;
 
 constexpr const char* remedy = "; use smaller cells there (mesh.size)";
-/// Change of the load factor in one step of a path whose state does not depend on it.
-constexpr double without_bound = 1e4;
 constexpr const char* end_earlier = "; set path.until to end the path earlier, or request a smaller load";
 
 bool is_past_limit_point(const PathState& path) {
@@ -137,7 +135,12 @@ std::optional<Stop> stop_before_step(const PathState& path, fem::System& system)
 }
 
 std::optional<Stop> stop_before_row(const PathState& path, const PathPoint& point, const fem::System& system) {
-    if (std::abs(point.state.load_factor - path.last->state.load_factor) < without_bound) return std::nullopt;
+    constexpr double runaway = 1e4,
+                     unmoved = 1e-8;  // change of the load factor; of the state by the loads of the stage
+    const double by_loads = linalg::norm(point.tangent.x) / std::abs(point.tangent.load_factor);
+    if (std::abs(point.state.load_factor - path.last->state.load_factor) < runaway ||
+        by_loads > unmoved * linalg::norm(point.state.x))
+        return std::nullopt;
     return Stop{
         StopReason::limit_point,
         "the requested load is not reached: the path has turned back to " + state_text(*path.last, system.input()) +

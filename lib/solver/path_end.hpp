@@ -17,7 +17,7 @@ inline constexpr std::size_t stalled_rows = 150;
 inline constexpr double stalled_length = 0.01;
 [[nodiscard]] std::optional<Stop> stop_before_step(const PathState& path, fem::System& system);
 
-/// At a point that is no row yet: its state does not depend on the load any more, which a step along the path therefore changes without bound.
+/// Before a point becomes a row: the load factor has changed by more than 1e4 in one step, because the state does not depend on it any more.
 [[nodiscard]] std::optional<Stop> stop_before_row(const PathState& path, const PathPoint& point,
                                                   const fem::System& system);
 

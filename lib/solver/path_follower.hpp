@@ -37,7 +37,8 @@ private:
     [[nodiscard]] std::optional<PathPoint> solve_step(Aim& aim, std::optional<Event>& touch);
     void recover();
     /// Continues beyond a kink or a snap from `point`, which has no cubic with the rows before.
-    void go_on_from(PathPoint point);
+    /// `how` and `what` go before and after the point in the report. Ends the stage at a goal.
+    void go_on_from(PathPoint point, const Goal* goal, const std::string& how, const std::string& what = {});
     void begin(State state);
     void end_stage(const std::string& text);
     void change_control(const ControlChange& change);

@@ -142,7 +142,7 @@ SNESConvergedReason TsIntegrator::test(int iteration) {
 bool TsIntegrator::is_rounding() {
     if (!stalls(relative_residual_, residual_before_)) return false;
     const auto pressures = equations_.lines().pressures(x_, masses_);
-    return solver_->is_rounding(relative_residual_ * scale_N_, x_, equations_.levels(stage_time_s_, pressures));
+    return solver_->is_rounding(linalg::norm(forces_), x_, equations_.levels(stage_time_s_, pressures));
 }
 
 void TsIntegrator::split(Vec y, Vec x, Vec v, std::vector<double>& masses) const {
@@ -191,9 +191,7 @@ void TsIntegrator::implicit_function(double time_s, Vec y, Vec rate, Vec out) {
     equations_.add_inertia(inertia_, 1.0, rate_v_);
     SOFT_PETSC(VecWAXPY(forces_, 1.0, inertia_, equations_.residual()));
     equations_.add_damping(forces_, 1.0, v_);
-    const double scale = solver_->force_scale(evaluation_, inertia_);
-    relative_residual_ = StageSolver::relative_residual(forces_, scale);
-    scale_N_ = scale;
+    relative_residual_ = StageSolver::relative_residual(forces_, solver_->force_scale(evaluation_, inertia_));
     stage_time_s_ = time_s;
     // Rows of x: dx/dt - v, and at pressure unknowns, whose v is always 0, the residual of their equations.
     SOFT_PETSC(VecPointwiseMult(out_v_, equations_.mask(), forces_));

@@ -51,7 +51,7 @@ private:
     TimeStepper ts_;
     std::vector<double> masses_, rate_masses_;
     std::vector<LineRow> rows_;
-    double shift_ = 0, relative_residual_ = 0, residual_before_ = 0, scale_N_ = 0, stage_time_s_ = 0;
+    double shift_ = 0, relative_residual_ = 0, residual_before_ = 0, stage_time_s_ = 0;
     fem::Evaluation evaluation_;
     NewtonEnd failure_ = NewtonEnd::converged;
     std::exception_ptr thrown_;

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.hpp"
+#include "core/units.hpp"
+
 namespace soft::solver {
 
 using model::Prescription;
@@ -23,6 +26,20 @@ StageStart unloaded(const model::Case& input, const std::vector<double>& undefor
     for (std::size_t i = 0; i < input.loads.size(); ++i)
         start.masses_kg.push_back(gas_mass_kg(input.loads[i].gas, undeformed_volumes_m3[i], 0.0));
     return start;
+}
+
+void require_gas(const model::Case& input, const std::vector<double>& undeformed_volumes_m3) {
+    for (const model::Stage& stage : input.path.stages)
+        for (std::size_t i = 0; i < input.loads.size(); ++i) {
+            if (stage.supplies.at(i).what != Prescription::mass) continue;
+            const double content_kg = gas_mass_kg(input.loads[i].gas, undeformed_volumes_m3[i], 0.0);
+            if (!(content_kg + stage.supplies[i].value > 0.0))
+                throw Error(ExitCode::bad_input, "loads." + input.loads[i].name + ".mass",
+                            core::quantity_text(-stage.supplies[i].value, core::Dimension::mass) +
+                                " of gas are removed, and the undeformed cavity contains " +
+                                core::quantity_text(content_kg, core::Dimension::mass),
+                            "remove less, or prescribe a pressure or a volume");
+        }
 }
 
 StageLoads::StageLoads(const model::Case& input, int stage, StageStart start,

@@ -20,6 +20,9 @@ using model::StageStart;
 [[nodiscard]] double gas_mass_kg(const model::Gas& gas, double volume_m3, double pressure_Pa);
 [[nodiscard]] double gas_pressure_Pa(const model::Gas& gas, double volume_m3, double mass_kg);
 
+/// Throws Error (bad_input) for a stage that removes all gas of the undeformed cavities, or more.
+void require_gas(const model::Case& input, const std::vector<double>& undeformed_volumes_m3);
+
 /// The unloaded body: the start of the first stage.
 [[nodiscard]] StageStart unloaded(const model::Case& input, const std::vector<double>& undeformed_volumes_m3);
 

@@ -72,7 +72,6 @@ TEST(CaseWarnings, GasInWrongUnitsIsReported) {
     expect_warning(gas(pressure, "ambient: 5 MPa"), "air has 59.4");  // the stated 1.204 kg/m^3 does not fit 5 MPa
     expect_warning(gas(mass, "dead_volume: 1 m^3"),
                    "loads.cavity.gas.dead_volume: 1 m^3 is more than a thousand times");
-    EXPECT_THROW((void)warnings_for(gas("mass: -100 g", "dead_volume: 1 mL")), Error);
     expect_warning(gas("mass: 12 kg", "dead_volume: 0 mL"), "loads.cavity.mass: 12 kg is more than a thousand times");
     EXPECT_TRUE(warnings_for(gas(mass, "dead_volume: 1 L, process: adiabatic")).empty());
     EXPECT_TRUE(warnings_for(gas(pressure, "ambient: 70 kPa")).empty());                       // in the mountains

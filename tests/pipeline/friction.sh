@@ -50,4 +50,6 @@ claim "two ranks move the same" within "$(awk -v a="$(last slide_mm one.csv)" -v
 claim "two ranks dissipate the same in a motion" within "$(awk -v a="$(last friction_work_mJ one.csv)" -v b="$(last friction_work_mJ two.csv)" 'BEGIN { print a / b }')" 0.9999 1.0001
 runs "mesh-gen -q $block --set obstacles.ramp.friction=0.65 | solve -q | postprocess -q -o rests.csv"
 claim "it rests where the slope is less than the coefficient" within "$(last slide_mm rests.csv)" -1e-3 1e-3
+runs "mesh-gen -q $block --set obstacles.ramp.friction=0.65 --set loads.ramp.displacement=1mm --set loads.ramp.along=x --set dynamics.duration=50ms --set dynamics.step=50us | solve -q --json ramp.json -o ramp.h5"
+claim "the energies of a block on a ramp that moves balance" within "$(json ramp.json energy_balance_error)" 0 1e-2
 refuses 65 'mesh-gen: --set dynamics.integrator: rosenbrock * friction that slides is not linear; *' "mesh-gen $block --set dynamics.integrator=rosenbrock"

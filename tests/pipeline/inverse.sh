@@ -22,6 +22,11 @@ claim "and the bound of the stretch" reaches stretch_p99 1 1.4001
 rubber=$(json report.json objective value_SI)
 runs 'optimize goal.yaml --starts 1 | mesh-gen -q | solve -q | postprocess -q --at pressure=20kPa -o piped.csv'
 claim "the same through a pipe" cmp curve.csv piped.csv
+claim "the volume is printed in its unit" grep -q '^# .*rubber_volume: [0-9.]* mL, minimized$' found.yaml
+goal 'vary: {geometry.wall: {from: 2 mm, to: 3 mm}}
+minimize: {elongation: {at: {pressure: 3 kPa}}}'
+runs 'optimize goal.yaml --starts 1 -q -o stiff.yaml'
+claim "so is a length" grep -q '^# elongation at pressure 3 kPa: [0-9.]* mm, minimized$' stiff.yaml
 # With the same elongation, other radii take more rubber.
 for crest in 16 17; do
     goal "vary: {geometry.wall: {from: 1.5 mm, to: 4 mm}}

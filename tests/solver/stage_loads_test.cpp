@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "../fem/sample_cases.hpp"
+#include "core/error.hpp"
 #include "solver/stage_loads.hpp"
 
 namespace soft::solver {
@@ -30,6 +31,21 @@ model::Case supplied(model::SupplyTarget target) {
     input.loads[0].gas.exponent = 1.3;
     input.path.stages[0].supplies = {target};
     return input;
+}
+
+TEST(Gas, IsNotRemovedBeyondWhatTheCavityContains) {
+    const std::vector<double> undeformed{4e-6};
+    const double content_kg = 1.204 * 5e-6;
+    EXPECT_NO_THROW(require_gas(supplied({model::Prescription::mass, -0.99 * content_kg}), undeformed));
+    try {
+        require_gas(supplied({model::Prescription::mass, -1.01 * content_kg}), undeformed);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_NE(
+            std::string(error.what()).find("6.0802 mg of gas are removed, and the undeformed cavity contains 6.02 mg"),
+            std::string::npos)
+            << error.what();
+    }
 }
 
 TEST(StageLoads, SupplyEquationsHaveExactDerivatives) {
