@@ -150,7 +150,11 @@ bool are_facing(const ContactSurface::Entry& entry, std::size_t q, const Patch& 
 }
 
 bool is_facing(const Patch& patch, const ContactSurface::Entry& entry, std::size_t q, const Vector3& normal) {
-    return dot(unit(normal_at(patch, entry.rule->xi[q])), unit(normal)) < -facing;
+    return facing_of(patch, entry, q, normal) > facing;
+}
+
+double facing_of(const Patch& patch, const ContactSurface::Entry& entry, std::size_t q, const Vector3& normal) {
+    return std::max(0.0, -dot(unit(normal_at(patch, entry.rule->xi[q])), unit(normal)));
 }
 
 NormalCone normals(const Patch& facet) {

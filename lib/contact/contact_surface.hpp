@@ -101,6 +101,9 @@ private:
 [[nodiscard]] bool are_facing(const ContactSurface::Entry& entry, std::size_t q, const Patch& other,
                               const ClosestPoint& closest);
 
+/// Cosine of the angle between the outer normal of the facet, in a given shape, and the opposite of that of another surface; 0 beyond 90 degrees.
+[[nodiscard]] double facing_of(const Patch& patch, const ContactSurface::Entry& entry, std::size_t q,
+                               const Vector3& normal);
 /// Whether the facet, in a given shape, faces a surface with this normal.
 [[nodiscard]] bool is_facing(const Patch& patch, const ContactSurface::Entry& entry, std::size_t q,
                              const Vector3& normal);

@@ -62,6 +62,21 @@ bool has_passed_through(const Approach& from, const ClosestPoint& closest, bool 
     return (beside_it && leads_through) || closest.distance_m < thinnest_m;
 }
 
+std::vector<double> nodal_means(const ContactSurface::Entry& entry, std::span<const double> at_points) {
+    const std::size_t nodes = entry.nodes.size();
+    std::vector<double> means(nodes);
+    for (std::size_t a = 0; a < nodes; ++a) {
+        double sum = 0, weights = 0;
+        for (std::size_t q = 0; q < at_points.size(); ++q) {
+            const double N = entry.rule->N[q * nodes + a], weight = entry.weight_m2[q] * N * N;
+            sum += weight * at_points[q];
+            weights += weight;
+        }
+        if (weights > 0) means[a] = sum / weights;
+    }
+    return means;
+}
+
 FacetContact::FacetContact(const ContactState& at, std::size_t facet, std::span<const std::size_t> others,
                            Summary& summary)
     : at_(at),
@@ -89,6 +104,9 @@ void FacetContact::add(const std::function<void(const Block&)>& to) {
         if (!others_.empty()) add_features(q, x);
         for (const SmoothObstacle* obstacle : near_) add_smooth(q, x, *obstacle);
     }
+    for (const auto& [k, pressures] : pressures_by_obstacle_Pa_)
+        for (const double pressure : nodal_means(entry_, pressures))
+            summary_.pressure_Pa[k] = std::max(summary_.pressure_Pa[k], pressure);
     at_.friction.set(facet_, touches_, at_.patches, at_.shifts);
     for (const Friction::Point& point : at_.friction.points(facet_)) add_friction(point);
     for (const auto& [key, block] : blocks_) to(block);
@@ -114,13 +132,17 @@ Block& FacetContact::block_of(std::size_t key, int obstacle, std::span<const mes
     return blocks_.emplace(key, std::move(block)).first->second;
 }
 
-void FacetContact::note(std::size_t q, int obstacle, double share, const Barrier& b) {
+void FacetContact::note(std::size_t q, int obstacle, double share, const Barrier& b, const Vector3& away) {
     const std::size_t k = obstacle >= 0 ? static_cast<std::size_t>(obstacle) : summary_.area_m2.size() - 1;
     const AreaStretch& stretch = stretch_at(q);
-    const double pressure = -entry_.stiffness_Pa * b.slope * stretch.factor / stretch.stretch;
-    summary_.area_m2[k] += share * entry_.weight_m2[q] * stretch.stretch;
-    summary_.pressure_Pa[k] = std::max(summary_.pressure_Pa[k], pressure);
-    pressures_Pa_[q] = std::max(pressures_Pa_[q], pressure);
+    const double pressure = -entry_.stiffness_Pa * b.slope * stretch.factor / stretch.stretch,
+                 facing =
+                     facing_of(map_, entry_, q, away);  // beside an edge the sides do not face what the end presses on
+    summary_.area_m2[k] += facing * share * entry_.weight_m2[q] * stretch.stretch;
+    std::vector<double>& of_obstacle = pressures_by_obstacle_Pa_[k];
+    of_obstacle.resize(entry_.X.size());
+    of_obstacle[q] = std::max(of_obstacle[q], facing * pressure);
+    pressures_Pa_[q] = std::max(pressures_Pa_[q], facing * pressure);
     if (summary_.location && pressure <= summary_.max_pressure_Pa) return;
     summary_.max_pressure_Pa = pressure;
     summary_.location = entry_.X[q];
@@ -238,7 +260,7 @@ void FacetContact::add_feature(std::size_t q, const Point& x, const Feature& fea
     add_function(block, weights, g, H);
     add_area_stretch(block, stretch, undeformed * b.value_m, along({}, undeformed * b.slope, n), weights);
     if (by_f != 0 && !block.hessian.empty()) add_sliding(block, weights, y, feature.closest, r, values, by_f);
-    if (feature.is_closest) note(q, other.obstacle, share, b);
+    if (feature.is_closest) note(q, other.obstacle, share, b, n);
     if (!at_.friction.is_empty())
         touches_.push_back({q, other.obstacle, g, -scale * b.curvature_1_m, feature.facet, feature.closest.xi,
                             feature.is_closest, reach - gap});
@@ -275,7 +297,7 @@ void FacetContact::add_smooth(std::size_t q, const Point& x, const SmoothObstacl
     Block& block = block_of(key, obstacle.index, {});
     add_function(block, weights, g, H);
     add_area_stretch(block, stretch, undeformed * b.value_m, along({}, undeformed * b.slope, d.gradient), weights);
-    note(q, obstacle.index, 1, b);
+    note(q, obstacle.index, 1, b, d.gradient);
     if (!at_.friction.is_empty() && !mirror)
         touches_.push_back({.point = q,
                             .obstacle = obstacle.index,

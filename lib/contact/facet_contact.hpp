@@ -64,6 +64,9 @@ struct ContactState {
     bool rests = false;
 };
 
+/// Means over the sample points of a facet at its nodes, weighted with the square of the node's shape function.
+[[nodiscard]] std::vector<double> nodal_means(const ContactSurface::Entry& entry, std::span<const double> at_points);
+
 class FacetContact {
 public:
     /// `others`: entries of the surface near this one.
@@ -88,7 +91,7 @@ private:
     void add_feature(std::size_t q, const mesh::Point& x, const Feature& feature);
     void add_smooth(std::size_t q, const mesh::Point& x, const SmoothObstacle& obstacle);
     void add_friction(const Friction::Point& point);
-    void note(std::size_t q, int obstacle, double share, const Barrier& b);
+    void note(std::size_t q, int obstacle, double share, const Barrier& b, const Vector3& away);
     [[nodiscard]] Block& block_of(std::size_t key, int obstacle, std::span<const mesh::Index> others);
     [[nodiscard]] const AreaStretch& stretch_at(std::size_t q);
 
@@ -102,6 +105,8 @@ private:
     std::map<std::size_t, Block> blocks_;
     std::map<std::size_t, AreaStretch> stretches_;  // of the sample points that touch
     std::vector<double> clearances_m_, pressures_Pa_;
+    std::map<std::size_t, std::vector<double>>
+        pressures_by_obstacle_Pa_;  // as in Summary::pressure_Pa, by sample point
     double clearance_of_obstacles_m_ = std::numeric_limits<double>::max();
     std::vector<Touch> touches_;
 };

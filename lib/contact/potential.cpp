@@ -243,16 +243,10 @@ std::vector<double> Potential::nodal_pressures_Pa(std::span<const Point> positio
     for (std::size_t i = 0; i < parts_->surface.free_count(); ++i) {
         const auto& entry = parts_->surface.entries()[i];
         const auto pressures_Pa = parts_->add(at, i, others[i], summary, [](const Block&) {});
-        const std::size_t nodes = entry.nodes.size();
-        for (std::size_t a = 0; a < nodes; ++a) {
-            double sum = 0, weights = 0;
-            for (std::size_t q = 0; q < pressures_Pa.size(); ++q) {
-                const double N = entry.rule->N[q * nodes + a], weight = entry.weight_m2[q] * N * N;
-                sum += weight * pressures_Pa[q];
-                weights += weight;
-            }
+        const auto means = nodal_means(entry, pressures_Pa);
+        for (std::size_t a = 0; a < means.size(); ++a) {
             double& value_Pa = nodal_Pa[static_cast<std::size_t>(entry.nodes[a])];
-            if (weights > 0) value_Pa = std::max(value_Pa, sum / weights);
+            value_Pa = std::max(value_Pa, means[a]);
         }
     }
     return nodal_Pa;

@@ -13,6 +13,12 @@ constexpr const char *acts_on = "acts_on", *line_resistance = "line.resistance";
 
 Key direction_key(std::string meaning) { return choice_key("along", "", directions(), std::move(meaning)); }
 
+Key signed_direction_key(std::string meaning) {
+    std::vector<std::string> choices = directions();
+    for (const std::string& direction : directions()) choices.push_back("-" + direction);
+    return choice_key("along", "", std::move(choices), std::move(meaning));
+}
+
 std::vector<LoadForm> cavity_forms() {
     using enum LoadKind;
     constexpr LoadTarget cavity = LoadTarget::cavity;
@@ -57,7 +63,7 @@ std::vector<LoadForm> cavity_forms() {
 
 std::vector<LoadForm> other_forms() {
     using enum LoadKind;
-    const Key traction_along = direction_key(
+    const Key traction_along = signed_direction_key(
         "direction of a positive traction or force; normal points out of the undeformed face, axis is the direction in "
         "which the actuator gets longer");
     return {{.target = LoadTarget::face,

@@ -88,6 +88,7 @@ void add_dead_loads(model::Case& result, const design::Design& design, const Mes
         if (request.kind != model::DeadLoadKind::gravity) require_face(meshed, request.name, location);
         model::DeadLoad load{request.name, request.kind, direction_of(along, meshed), request.time_function};
         double size_SI = against ? -request.size_SI : request.size_SI;
+        if (request.size_SI < 0) load.sign = -1;
         switch (request.kind) {
             case model::DeadLoadKind::traction: break;
             case model::DeadLoadKind::force:

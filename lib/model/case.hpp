@@ -124,6 +124,7 @@ struct DeadLoad {
     std::array<double, 3> vector_SI{};  ///< at level 1: traction [Pa] or acceleration [m/s^2]; axisymmetric: x, r
     TimeFunction time_function = {};
     double area_m2 = 0;  ///< force: area of the whole undeformed face
+    double sign = 1;     ///< of the traction or force that the design states, along its direction
 };
 
 /// A prescribed displacement of a face or of an obstacle. Components without a value are free; those of an obstacle are fixed.
@@ -277,8 +278,8 @@ struct Case {
     return std::nullopt;
 }
 
-/// The load that a curve shows: the pressure of the first pressure load; without one, the magnitude of the first traction [Pa], or
-/// of its force [N] if the design states a force; without either, the load factor, in a motion the level of gravity or of the first obstacle.
+/// The load that a curve shows: the pressure of the first pressure load; without one, the first traction [Pa], or
+/// its force [N] if the design states a force, positive along its direction; without either, the load factor, in a motion the level of gravity or of the first obstacle.
 enum class LeadingLoad { pressure, traction, force, load_factor };
 [[nodiscard]] inline LeadingLoad leading_load(const Case& input) {
     if (!input.loads.empty()) return LeadingLoad::pressure;

@@ -63,6 +63,21 @@ std::vector<double> kinks(const TimeFunction& time_function, double duration_s) 
     return times;
 }
 
+std::vector<double> kink_times(const Case& input) {
+    std::vector<double> times;
+    const auto add = [&](const auto& loads) {
+        for (const auto& load : loads)
+            for (const double time : kinks(load.time_function, input.dynamics->duration_s)) times.push_back(time);
+    };
+    add(input.loads);
+    add(input.dead_loads);
+    add(input.motions);
+    std::ranges::sort(times);
+    const auto repeated = std::ranges::unique(times);
+    times.erase(repeated.begin(), repeated.end());
+    return times;
+}
+
 double shortest_change_s(const TimeFunction& time_function, double duration_s) {
     double shortest = duration_s;
     if (time_function.kind == TimeFunctionKind::ramp)

@@ -16,6 +16,9 @@ namespace soft::model {
 /// Times within (0, duration) at which the slope jumps, ascending: a step that spans one loses its order.
 [[nodiscard]] std::vector<double> kinks(const TimeFunction& time_function, double duration_s);
 
+/// Those of all loads of a dynamic case, each once.
+[[nodiscard]] std::vector<double> kink_times(const Case& input);
+
 /// The shortest time in which the time function changes substantially (a ramp, a quarter of a sine's period, the shortest interval of
 /// a table); the duration for a step.
 [[nodiscard]] double shortest_change_s(const TimeFunction& time_function, double duration_s);

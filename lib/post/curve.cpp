@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "model/time_function.hpp"
 #include "post/row_derivatives.hpp"
 
 namespace soft::post {
@@ -69,9 +70,11 @@ Column leading_column(const model::Case& model) {
         case model::LeadingLoad::pressure:
             return coordinate("pressure", kilopascal, Source::load, "gauge pressure of the first load");
         case model::LeadingLoad::traction:
-            return coordinate("traction", kilopascal, Source::load, "first traction, if the case has no pressure load");
+            return coordinate("traction", kilopascal, Source::load,
+                              "first traction, positive along its direction, if the case has no pressure load");
         case model::LeadingLoad::force:
-            return coordinate("load", newton, Source::load, "first force on a face, if the case has no pressure load");
+            return coordinate("load", newton, Source::load,
+                              "first force on a face, positive along its direction, if the case has no pressure load");
         case model::LeadingLoad::load_factor: break;
     }
     return coordinate(
@@ -102,11 +105,20 @@ void add_item(std::vector<Entry>& entries, Column column, std::size_t i, std::ve
                        [=](const Step& step) { return value_of(step.*slopes, i).value_or(0); }});
 }
 
+/// In a motion their rates are those of a very stiff contact at the small error of the velocities, and of friction that sticks.
+bool is_contact_force(const model::Output& output) {
+    return model::is_reaction(output.measure) ||
+           (!output.obstacle.empty() && output.measure != model::Measure::displacement);
+}
+
 void add_coordinates(std::vector<Entry>& entries, const model::Case& model) {
     entries.push_back({leading_column(model), [](const Step& step) { return step.pressure_Pa; },
                        [](const Step& step) { return step.tangent_pressure; }});
     for (std::size_t i = 0; i < model.outputs.size(); ++i) {
         const model::Output& output = model.outputs[i];
+        const auto slope = [i, force = is_contact_force(output)](const Step& step) {
+            return step.motion && force ? std::nullopt : Value(value_of(step.tangent_outputs, i).value_or(0));
+        };
         add_item(entries,
                  coordinate(output.name, column_unit(output.measure), Source::output,
                             std::string{model::info_of(output.measure).meaning} + ": " +
@@ -115,6 +127,7 @@ void add_coordinates(std::vector<Entry>& entries, const model::Case& model) {
                                                            : output.obstacle),
                             i),
                  i, &Step::outputs, &Step::tangent_outputs);
+        entries.back().slope_SI = slope;
     }
     entries.push_back({coordinate("volume", millilitre, Source::volume,
                                   "volume enclosed by the cavities of the first load, whole actuator"),
@@ -163,7 +176,7 @@ void add_motion_energies(std::vector<Entry>& entries) {
         "energy dissipated by damping and by inelastic rubber, dynamic cases only");
 }
 
-void add_local_values(std::vector<Entry>& entries) {
+void add_local_values(std::vector<Entry>& entries, const model::Case& model) {
     entries.push_back({plain("stretch_p99", Role::dependent,
                              "principal stretch exceeded in 1 % of the rubber; converges with the mesh"),
                        [](const Step& step) { return step.stretch_p99; }});
@@ -171,6 +184,7 @@ void add_local_values(std::vector<Entry>& entries) {
                        [](const Step& step) { return step.max_stretch; }});
     entries.push_back({plain("min_J", Role::dependent, "smallest volume ratio J at a quadrature point"),
                        [](const Step& step) { return step.min_jacobian; }});
+    if (model.dynamics) return;  // the stability of a state in motion is not known
     entries.push_back({plain("stable", Role::flag, "1 if the state is stable under the loads as stated in the design"),
                        [](const Step& step) { return value_of(step.stable); }});
     entries.push_back({.column = plain("stable_under_control", Role::flag,
@@ -320,7 +334,7 @@ std::vector<Entry> entries_of(const model::Case& model, std::span<const Step> st
                                      "natural frequency 1, 2 ... about the state, loads held; negative: unstable"),
                            [i](const Step& step) { return step.frequencies_Hz[i]; }});
     add_motion_energies(entries);
-    add_local_values(entries);
+    add_local_values(entries, model);
     add_on_demand(entries, model);
     add_derivatives(entries, model, steps);
     return entries;
@@ -372,6 +386,11 @@ Curve make_curve(const model::Case& model, std::span<const model::Step> steps, c
     for (const model::FirstContact& contact : end.first_contacts)
         if (!steps[static_cast<std::size_t>(contact.at.step)].motion)  // a body with mass keeps its velocity
             curve.kinks.push_back(static_cast<std::size_t>(contact.at.step));
+    const std::vector<double> kink_times = model.dynamics ? model::kink_times(model) : std::vector<double>{};
+    for (std::size_t row = 0; model.dynamics && row < steps.size();
+         ++row)  // the rates of the last row are those after the motion
+        if (row + 1 == steps.size() || std::ranges::binary_search(kink_times, steps[row].motion->time_s))
+            curve.kinks.push_back(row);
     std::ranges::sort(curve.kinks);
     for (Entry& entry : entries_of(model, steps)) {
         const auto has_value = [&](const Step& step) { return entry.value_SI(step).has_value(); };

@@ -78,7 +78,7 @@ struct Curve {
     [[nodiscard]] std::string coordinate_names() const;
 };
 
-/// `model` is the case as it was solved. Static paths have kinks at the first contacts of `end`. Throws Error(bad_input) if a step does not have one value for each output (and for each load
+/// `model` is the case as it was solved. Static paths have kinks at the first contacts of `end`, motions where the rate of a load jumps. Throws Error(bad_input) if a step does not have one value for each output (and for each load
 /// and cavity, if there are several), or if a volume or a time is recorded at some steps only.
 [[nodiscard]] Curve make_curve(const model::Case& model, std::span<const model::Step> steps,
                                const model::PathEnd& end = {});

@@ -24,6 +24,9 @@ struct Metric {
             inverse_range.push_back(1 / (*high - *low));
         }
     }
+    [[nodiscard]] double slope(std::size_t i, std::size_t row) const {
+        return columns[i]->slopes.empty() ? 0 : columns[i]->slopes[row];
+    }
     [[nodiscard]] double distance(std::size_t row_a, std::size_t row_b) const {
         double sum = 0;
         for (std::size_t i = 0; i < columns.size(); ++i)
@@ -34,7 +37,7 @@ struct Metric {
     [[nodiscard]] double product(std::size_t row_a, std::size_t row_b) const {
         double sum = 0;
         for (std::size_t i = 0; i < columns.size(); ++i)
-            sum += columns[i]->slopes[row_a] * columns[i]->slopes[row_b] * inverse_range[i] * inverse_range[i];
+            sum += slope(i, row_a) * slope(i, row_b) * inverse_range[i] * inverse_range[i];
         return sum;
     }
     /// Norm of the recorded direction; 0 if none is recorded.
@@ -43,8 +46,8 @@ struct Metric {
     [[nodiscard]] double along(std::size_t row, std::size_t row_a, std::size_t row_b) const {
         double sum = 0;
         for (std::size_t i = 0; i < columns.size(); ++i)
-            sum += columns[i]->slopes[row] * (columns[i]->values[row_b] - columns[i]->values[row_a]) *
-                   inverse_range[i] * inverse_range[i];
+            sum += slope(i, row) * (columns[i]->values[row_b] - columns[i]->values[row_a]) * inverse_range[i] *
+                   inverse_range[i];
         return sum;
     }
 };
@@ -85,7 +88,7 @@ Speeds one_sided_speeds(const Metric& metric, std::size_t row_a, std::size_t row
     for (std::size_t i = 0; i < metric.columns.size(); ++i) {
         const Column& column = *metric.columns[i];
         const double d = (column.values[row_b] - column.values[row_a]) * metric.inverse_range[i];
-        const double recorded = column.slopes[known] * metric.inverse_range[i] * speed / norm;
+        const double recorded = metric.slope(i, known) * metric.inverse_range[i] * speed / norm;
         for (const double slope : {recorded, 2 * d - recorded})
             if (slope * d < 0 && std::abs(slope) > noise * chord) return straight;
     }
@@ -188,7 +191,7 @@ std::vector<EndSlopes> slopes_by_stage(std::span<const double> s, std::span<cons
 }
 
 /// True if the solver provides the derivative of the column along the path.
-bool has_slopes(const Column& column) { return column.role == Role::coordinate || !column.slopes.empty(); }
+bool has_slopes(const Column& column) { return !column.slopes.empty(); }
 
 }  // namespace
 

@@ -28,7 +28,8 @@ bool is_located(const model::PathEnd& end, std::size_t row) {
 /// Samples the path in two blocks. Between a stable and an unstable row the block changes at the row of a limit point or bifurcation, or
 /// in the middle if neither row is one.
 void sample_line(const PlotSeries& series, const Path& path, const PlotAxes& axes, Blocks& blocks) {
-    const std::vector<double>& flags = series.curve.find("stable")->values;
+    const Column* stable = series.curve.find("stable");
+    const auto flags = stable != nullptr ? stable->values : std::vector<double>(series.curve.row_count(), 1);
     const auto s = path.row_parameters();
     const std::string* current = nullptr;
     for (std::size_t i = 0; i + 1 < s.size(); ++i) {

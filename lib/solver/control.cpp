@@ -119,11 +119,12 @@ std::optional<ControlChange> better_control(const fem::System& system, const Pat
         if (settings.steps != model::StepRule::error_adaptive || !is_near_maximum(path)) return std::nullopt;
         return ControlChange{{ConstraintKind::arc}, "the load nears a maximum"};
     }
+    if (moves_obstacles_alone(system.input(), *path.loads)) return std::nullopt;  // the motion is prescribed
     const Constraint other = softer_control(system, *path.loads);
     if (path.first_slope > 0.0 && linalg::norm(path.last->tangent.x) > softening * path.first_slope)
         return ControlChange{other, "the body softens"};
     const double bend = bend_under(path.control, *path.before, *path.last);
-    if (!moves_obstacles_alone(system.input(), *path.loads) && bend > settings.step_accuracy * straight_enough &&
+    if (bend > settings.step_accuracy * straight_enough &&
         bend_under(other, *path.before, *path.last) < straighter * bend)
         return ControlChange{other, "the path is straighter there"};
     return std::nullopt;

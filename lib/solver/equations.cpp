@@ -79,20 +79,6 @@ fem::LoadLevels full_levels(const model::Case& input) {
     return forces_of(shared_levels(input, [](const model::TimeFunction&) { return 1.0; }));
 }
 
-std::vector<double> kink_times(const model::Case& input) {
-    const double duration_s = dynamics_of(input).duration_s;
-    std::vector<double> times;
-    (void)shared_levels(input, [&](const model::TimeFunction& time_function) {
-        const auto more = kinks(time_function, duration_s);
-        times.insert(times.end(), more.begin(), more.end());
-        return 0.0;
-    });
-    std::ranges::sort(times);
-    const auto repeated = std::ranges::unique(times);
-    times.erase(repeated.begin(), repeated.end());
-    return times;
-}
-
 double shortest_change_s(const model::Case& input) {
     const double duration_s = dynamics_of(input).duration_s;
     double shortest = duration_s;

@@ -33,8 +33,7 @@ void fill_with_waves(Vec out);
 
 /// Levels with every time function at 1, obstacles not displaced; cavities with lines have the pressure of their source.
 [[nodiscard]] fem::LoadLevels full_levels(const model::Case& input);
-/// Kinks of all time functions, ascending, and the shortest of their changes (model/time_function.hpp).
-[[nodiscard]] std::vector<double> kink_times(const model::Case& input);
+/// The shortest of the changes of all time functions (model/time_function.hpp).
 [[nodiscard]] double shortest_change_s(const model::Case& input);
 
 /// The supply lines of a case, k in the order of their loads; rho is the ambient density.

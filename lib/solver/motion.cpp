@@ -125,7 +125,7 @@ void MotionFollower::choose_first_step() {
         step_s_ = std::min(dynamics_.step_s, duration);
         row_interval_s_ = step_s_ * std::ceil(std::ceil(duration / step_s_ * (1.0 - same_time)) / intervals);
     } else {
-        kinks_ = kink_times(input_);
+        kinks_ = model::kink_times(input_);
         step_s_ = round_step_size(first_share * shortest_change_s(input_));
     }
     if (explicit_) {

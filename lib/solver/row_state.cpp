@@ -18,8 +18,9 @@ constexpr std::array<std::pair<double, double>, 5> lobatto_points{
 /// The first traction from levels, or its slope from their slopes.
 double first_traction_Pa(const model::Case& input, const LoadLevels& levels) {
     const std::size_t first = model::first_traction(input).value();
-    const auto& t = input.dead_loads[first].vector_SI;
-    return levels.dead_loads[first] * std::hypot(t[0], t[1], t[2]);
+    const model::DeadLoad& load = input.dead_loads[first];
+    const auto& t = load.vector_SI;
+    return load.sign * levels.dead_loads[first] * std::hypot(t[0], t[1], t[2]);
 }
 
 /// Of the tangents in a row: on a path in time, slopes are by time.
@@ -169,6 +170,21 @@ void let_contact_rest(fem::System& system, const PathPoint& a, const PathPoint& 
     system.contact().set_resting(!a.touches && !b.touches && !system.contact().has_friction());
 }
 
+namespace {
+
+/// Whether the body hardly moves with an obstacle at the first point, as where it only just touches, compared with its motion to the second:
+/// a tangent of the length of that motion would move the obstacle by orders of magnitude too far.
+bool is_left_at_rest(const model::Case& input, const PathPoint& from, const PathPoint& to, double length) {
+    constexpr double much_slower = 1e-2;
+    bool moves = false;
+    for (std::size_t i = 0; i < input.motions.size(); ++i)
+        moves = moves || (from.level_slopes.motions[i] != 0.0 && model::moves_obstacle(input, input.motions[i]));
+    const double by_load = std::abs(to.state.load_factor - from.state.load_factor);
+    return moves && linalg::norm(from.tangent.x) * by_load < much_slower * length * std::abs(from.tangent.load_factor);
+}
+
+}  // namespace
+
 double work_between(fem::System& system, const PathPoint& from, const PathPoint& to, FromTangent of_from) {
     const linalg::Vector change = linalg::duplicate(to.state.x), place = linalg::duplicate(to.state.x);
     const linalg::Vector velocity = linalg::duplicate(to.state.x);
@@ -187,7 +203,7 @@ double work_between(fem::System& system, const PathPoint& from, const PathPoint&
     const auto difference = [&](const LoadLevels& a, const LoadLevels& b) { return fem::moved(a, -1.0, b); };
     const LoadLevels turn = difference(to.levels, from.levels), end_rate = scaled(to, end);
     LoadLevels start_rate;
-    if (of_from == FromTangent::along_the_path) {
+    if (of_from == FromTangent::along_the_path && !is_left_at_rest(system.input(), from, to, length)) {
         start_rate = scaled(from, start);
     } else {  // the parabola through both that has the tangent of `to`
         SOFT_PETSC(VecWAXPY(start, -1.0, end, change));

@@ -150,8 +150,9 @@ std::string frame_label(const post::Curve& curve, std::size_t row) {
     for (const post::Column& column : curve.columns)
         if (column.role == post::Role::coordinate)
             words.push_back(column.quantity + " " + post::value_text(column, column.values[row]));
-    const bool stable = curve.find("stable")->values[row] > 0;
-    return "step " + std::to_string(row) + ": " + core::join(words) + (stable ? "" : " (unstable)");
+    const post::Column* stable = curve.find("stable");
+    const bool is_unstable = stable != nullptr && stable->values[row] == 0;
+    return "step " + std::to_string(row) + ": " + core::join(words) + (is_unstable ? " (unstable)" : "");
 }
 
 std::vector<std::uint16_t> shares(const std::vector<view::Point>& points, const std::array<Range, 3>& ranges) {

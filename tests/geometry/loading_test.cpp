@@ -17,6 +17,16 @@ design::Design loaded_design(const std::string& family, const std::string& model
     return d;
 }
 
+TEST(Traction, HasTheRequestedDirectionAndTheStatedSign) {
+    design::Design d = loaded_design("rod", "solid");
+    for (const auto& [size, along] : {std::pair{1e3, "-x"}, {-1e3, "x"}}) {
+        d.dead_loads = {{"end", model::DeadLoadKind::traction, size, along}};
+        const model::DeadLoad load = build_case(d).dead_loads.at(0);
+        EXPECT_EQ(load.vector_SI, (std::array<double, 3>{-1e3, 0, 0})) << along;
+        EXPECT_EQ(load.sign, size < 0 ? -1 : 1) << along;
+    }
+}
+
 TEST(Weight, HasTheRequestedDirection) {
     design::Design d = loaded_design("bellows", "axisymmetric");
     for (const auto& [along, x] :

@@ -190,6 +190,7 @@ void expect_equal(const Case& left, const Case& right) {
         EXPECT_EQ(a.name, b.name);
         EXPECT_EQ(a.kind, b.kind);
         EXPECT_EQ(a.vector_SI, b.vector_SI);
+        EXPECT_EQ(a.sign, b.sign);
         EXPECT_EQ(a.area_m2, b.area_m2);
         expect_equal(a.time_function, b.time_function);
     });

@@ -74,6 +74,36 @@ runs 'postprocess -q held.h5 -o held.csv'
 claim "the reason is the plate that has left the tube" grep -q 'beyond which the load changes and the state does not' held.json
 claim "the plate stays within its way" within "$(column way_mm held.csv | sort -g | tail -n 1)" 0 10
 claim "the volume stays as prescribed" within "$(column volume_mL held.csv | tail -n 1)" 6.0499999 6.0500001
+# A plate that touches a rod from the start presses it as one that first moves by a tenth of a millimetre.
+cat >plate.yaml <<'END'
+family: rod
+geometry: {length: 50 mm, width: 10 mm, height: 10 mm}
+model: quarter
+mesh: {size: 5 mm}
+material: {law: neo-hookean, mu: 0.1644 MPa, kappa: incompressible}
+supports: {x: fixed}
+obstacles: {plate: {plane: {point: [50 mm, 0 mm, 0 mm], normal: [-1, 0, 0]}}}
+loads: {plate: {displacement: -5 mm, along: x}}
+outputs:
+  push: {obstacle: plate, measure: force, along: x}
+  way: {obstacle: plate, measure: displacement, along: x}
+  area: {obstacle: plate, measure: area}
+  peak: {obstacle: plate, measure: pressure}
+END
+for x in 50 50.1; do
+    runs "mesh-gen -q plate.yaml --set 'obstacles.plate.plane.point=[$x mm, 0 mm, 0 mm]' --set loads.plate.displacement=-$(awk -v x=$x 'BEGIN { print x - 45 }')mm \
+        | solve -q -o plate-$x.h5 && postprocess -q plate-$x.h5 --also load_work,stored_energy,dissipated_energy -o plate-$x.csv"
+    claim "no energy is lost" within "$(column dissipated_energy_mJ plate-$x.csv | tail -n 1)" -1e-9 1e-9
+    claim "the work is stored" within "$(paste <(column load_work_mJ plate-$x.csv) <(column stored_energy_mJ plate-$x.csv) | awk 'END { print $1 / $2 }')" 0.999 1.001
+done
+# The gap that remains is below the contact distance, 0.1 mm.
+claim "both end alike" within "$(awk -v a="$(column push_N plate-50.csv | tail -n 1)" -v b="$(column push_N plate-50.1.csv | tail -n 1)" 'BEGIN { print a / b }')" 0.97 1.03
+runs 'postprocess -q plate-50.h5 --at way=-1mm -o at.csv'
+runs 'mesh-gen -q plate.yaml --set loads.plate.displacement=-1mm | solve -q | postprocess -q -o one.csv'
+claim "values between the rows are those of a path that ends there" within "$(awk -v a="$(column push_N at.csv)" -v b="$(column push_N one.csv | tail -n 1)" 'BEGIN { print a / b }')" 0.999 1.001
+# Uniaxial compression to 0.9: area 100 / 0.9 mm^2, Cauchy pressure mu (1 / 0.9 - 0.81). The sides do not face the plate.
+claim "the area is that of the end" within "$(column area_mm2 plate-50.csv | tail -n 1)" 110.5 112
+claim "the largest pressure is that of the end" within "$(column peak_kPa plate-50.csv | tail -n 1)" 48.5 51
 # Rows after a contact that stops the bellows are short: the path is not closed.
 runs "$bellows --set 'loads={cavity: {volume: 11 mL}}' | solve -q | postprocess -q -o volume.csv"
 claim "a prescribed volume is reached in contact" within "$(column volume_mL volume.csv | tail -n 1)" 10.9999999 11.0000001

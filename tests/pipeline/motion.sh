@@ -62,6 +62,32 @@ for what in push_N rise_mm; do
     claim "a post that is lifted slowly bends a rod as the static path does: $what" within "$(awk -v a="$(column $what slow.csv | tail -n 1)" -v b="$(column $what static.csv | tail -n 1)" 'BEGIN { print a / b }')" 0.995 1.005
 done
 claim "the energies balance where an obstacle moves" within "$(json solve.json energy_balance_error)" 0 1e-3
+# A belt drags a block that slides: between the rows too, the drag is that of the friction, and the belt follows its table.
+runs 'mesh-gen -q - -o belt.h5 <<END
+family: rod
+geometry: {length: 20 mm, width: 20 mm, height: 10 mm}
+model: half
+mesh: {size: 10 mm}
+material: {law: neo-hookean, mu: 1 MPa, kappa: incompressible, density: 1000 kg/m^3}
+supports: {}
+obstacles: {belt: {plane: {point: [0 mm, 0 mm, 0 mm], normal: [0, 0, 1]}, friction: 0.3}}
+loads:
+  gravity: {acceleration: 10 m/s^2, along: -z, time_function: {kind: ramp, rise: 0.02 s}}
+  belt: {displacement: 100 mm, along: x, time_function: {kind: table, times: [0.05 s, 0.15 s], shares: [0, 1]}}
+dynamics: {duration: 0.2 s, stiffness_damping: 1 ms}
+outputs:
+  drag: {obstacle: belt, measure: force, along: x}
+  way: {obstacle: belt, measure: displacement, along: x}
+END'
+runs 'solve -q belt.h5 -o belt-result.h5 && postprocess -q belt-result.h5 --at time=0.1s,0.12s,0.14s -o belt.csv'
+claim "a block of 40 g slides with a drag of 0.3 of its weight" within "$(column drag_N belt.csv | sed -n 2p)" -0.0125 -0.0115
+claim "the belt follows its table" within "$(column way_mm belt.csv | sed -n 2p)" 69.9999 70.0001
+claim "the load factor is that of gravity" within "$(column load_factor belt.csv | sed -n 2p)" 1 1
+claim "a motion has no verdict on stability" [ -z "$(head -n 1 belt.csv | tr , '\n' | grep stable)" ]
+# The force of a stage has the sign that it states.
+runs 'mesh-gen -q designs/rod.yaml --set mesh.quality=draft --set "loads={end: {force: -0.1 N, along: x}}" --set "path={stages: {a: {loads: {end: {force: -0.1 N}}}, b: {loads: {end: {force: 0.2 N}}}}}" | solve -q | postprocess -q -o signs.csv'
+claim "a stage of 0.2 N ends at 0.2 N, after one of -0.1 N" within "$(column load_N signs.csv | tail -n 1)" 0.2 0.2
+claim "... which ends at -0.1 N" grep -q ',1,-0.1,' signs.csv
 # In a step of 2 ms the post would move by 12 mm, through a rod of 3 mm.
 sed 's/height: 10 mm/height: 3 mm/; s/-6 mm\]/-3 mm]/; s/radius: 5 mm/radius: 1 mm/' pressed.yaml >thin.yaml
 runs 'mesh-gen -q thin.yaml --set material.density=1080kg/m^3 --set mesh.size=5mm --set loads.post.displacement=60mm --set dynamics.duration=10ms --set dynamics.step=2ms --set dynamics.stiffness_damping=0.5ms | solve | postprocess -q -o fast.csv'

@@ -58,6 +58,35 @@ TEST(MotionCurve, RejectsARowWithoutTime) {
     EXPECT_THROW(static_cast<void>(make_curve(oscillator(), steps)), Error);
 }
 
+TEST(MotionCurve, HasNoVerdictOnStability) {
+    auto model = oscillator();
+    model.dynamics = model::Dynamics{.duration_s = 1};
+    EXPECT_EQ(make_curve(model, oscillation(1, 0.125)).find("stable"), nullptr);
+}
+
+/// A pressure that rises until half of the time, and a force whose rates are those of a stiff contact.
+TEST(MotionPath, HasKinksWhereALoadHasAndNoRatesOfContactForces) {
+    auto model = oscillator();
+    model.dynamics = model::Dynamics{.duration_s = 1};
+    model.loads.front().time_function.time_s = 0.5;
+    model.outputs.push_back({"push", "", {1, 0, 0}, model::Measure::force, "", {}, "wall"});
+    auto steps = oscillation(1, 0.125);
+    for (model::Step& step : steps) {
+        const double t = step.motion->time_s;
+        step.pressure_Pa = std::min(t, 0.5);
+        step.tangent_pressure = t < 0.5 ? 1 : 0;
+        step.outputs.push_back(3 * t);
+        step.tangent_outputs.push_back(-1e6);
+    }
+    const Curve curve = make_curve(model, steps);
+    EXPECT_EQ(curve.kinks, (std::vector<std::size_t>{4, 8}));
+    const Path path(curve);
+    for (const double t : {0.05, 0.45, 0.55, 0.95}) {
+        EXPECT_NEAR(path.at(t)[test::index_of(curve, "pressure")], 1e-3 * std::min(t, 0.5), 1e-15);
+        EXPECT_NEAR(path.at(t)[test::index_of(curve, "push")], 3 * t, 1e-12);
+    }
+}
+
 TEST(MotionPath, IsTheCubicHermiteInterpolantInTime) {
     // The error of cubic Hermite interpolation is at most h^4 / 384 times the fourth derivative, here w^4 times the amplitude.
     for (const double h : {0.125, 0.0625}) {
