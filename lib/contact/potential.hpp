@@ -34,7 +34,7 @@ struct Summary {
     double energy_J = 0;
     std::vector<double> area_m2;  ///< deformed area in contact, by obstacle, then with itself (mirror images included)
     std::vector<double> pressure_Pa;      ///< largest nodal pressure (nodal_pressures_Pa), in the same order
-    double max_pressure_Pa = 0;           ///< of all
+    double max_pressure_Pa = 0;           ///< of all sample points, also beside an edge
     double dissipated_J = 0;              ///< by friction since the first step
     std::optional<mesh::Point> location;  ///< undeformed point where that pressure is
     int touched = -1;                     ///< obstacle there; -1 itself

@@ -80,16 +80,17 @@ double slope_of(const model::Step& step, std::size_t index) {
     return index == 0 ? step.tangent_pressure : step.tangent_outputs[index - 1];
 }
 
-/// d quantity / d at along the path, in SI units; the stretch has no slopes: from the neighbouring rows.
+/// d quantity / d at along the path, in SI units; of quantities without slopes from the neighbouring rows.
 double slope_ratio(const Solved& solved, std::size_t row, const Quantity& quantity, const Quantity& at) {
     const auto& steps = solved.steps;
-    if (*quantity.index <= solved.model.outputs.size())
+    if (!quantity.column->slopes.empty() && !at.column->slopes.empty())
         return slope_of(steps[row], *at.index) == 0
                    ? 0
                    : slope_of(steps[row], *quantity.index) / slope_of(steps[row], *at.index);
     const std::size_t before = row > 0 ? row - 1 : 0, after = std::min(row + 1, steps.size() - 1);
     const double turn = (at.column->values[after] - at.column->values[before]) * at.column->SI_per_unit;
-    return turn == 0 ? 0 : (steps[after].stretch_p99 - steps[before].stretch_p99) / turn;
+    const auto& values = quantity.column->values;
+    return turn == 0 ? 0 : (values[after] - values[before]) * quantity.column->SI_per_unit / turn;
 }
 
 /// A quantity along the path of a run, with its derivatives at fixed values of another quantity as further columns.

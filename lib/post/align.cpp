@@ -25,6 +25,11 @@ double range_of(std::span<const double> values) {
     return *high - *low;
 }
 
+/// Grows with the square, to at most `largest`.
+double bounded(double square, double largest) {
+    return std::isinf(largest) ? square : largest * (std::isnan(square) ? 1 : square / (1 + square));
+}
+
 /// Squared distance between a row of the table and a position on the path.
 double distance(std::span<const Track> tracks, std::span<const double> ranges, std::size_t row,
                 const std::vector<double>& state) {
@@ -32,7 +37,7 @@ double distance(std::span<const Track> tracks, std::span<const double> ranges, s
     for (std::size_t i = 0; i < tracks.size(); ++i)
         if (ranges[i] > 0)
             sum +=
-                std::min(tracks[i].largest, std::pow((state[tracks[i].column] - tracks[i].values[row]) / ranges[i], 2));
+                bounded(std::pow((state[tracks[i].column] - tracks[i].values[row]) / ranges[i], 2), tracks[i].largest);
     return sum;
 }
 

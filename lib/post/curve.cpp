@@ -107,8 +107,7 @@ void add_item(std::vector<Entry>& entries, Column column, std::size_t i, std::ve
 
 /// In a motion their rates are those of a very stiff contact at the small error of the velocities, and of friction that sticks.
 bool is_contact_force(const model::Output& output) {
-    return model::is_reaction(output.measure) ||
-           (!output.obstacle.empty() && output.measure != model::Measure::displacement);
+    return model::is_reaction(output.measure) || (!output.obstacle.empty() && output.measure == model::Measure::force);
 }
 
 void add_coordinates(std::vector<Entry>& entries, const model::Case& model) {
@@ -116,8 +115,9 @@ void add_coordinates(std::vector<Entry>& entries, const model::Case& model) {
                        [](const Step& step) { return step.tangent_pressure; }});
     for (std::size_t i = 0; i < model.outputs.size(); ++i) {
         const model::Output& output = model.outputs[i];
-        const auto slope = [i, force = is_contact_force(output)](const Step& step) {
-            return step.motion && force ? std::nullopt : Value(value_of(step.tangent_outputs, i).value_or(0));
+        const auto slope = [i, none = !model::has_slope(output.measure),
+                            force = is_contact_force(output)](const Step& step) {
+            return none || (step.motion && force) ? std::nullopt : Value(value_of(step.tangent_outputs, i).value_or(0));
         };
         add_item(entries,
                  coordinate(output.name, column_unit(output.measure), Source::output,
@@ -128,11 +128,14 @@ void add_coordinates(std::vector<Entry>& entries, const model::Case& model) {
                             i),
                  i, &Step::outputs, &Step::tangent_outputs);
         entries.back().slope_SI = slope;
+        entries.back().column.bends =
+            !model.dynamics || !output.obstacle.empty();  // a body with mass keeps its velocity
     }
     entries.push_back({coordinate("volume", millilitre, Source::volume,
                                   "volume enclosed by the cavities of the first load, whole actuator"),
                        [](const Step& step) { return step.volume_m3; },
                        [](const Step& step) { return step.tangent_volume; }, true});
+    entries.back().column.bends = !model.dynamics;
     for (std::size_t i = 0; model.loads.size() > 1 && i < model.loads.size(); ++i)
         add_item(entries,
                  coordinate("pressure_" + model.loads[i].name, kilopascal, Source::other,
@@ -144,6 +147,8 @@ void add_coordinates(std::vector<Entry>& entries, const model::Case& model) {
                  coordinate("volume_" + cavities[i]->name, millilitre, Source::other,
                             "volume enclosed by each cavity, if there are several"),
                  i, &Step::volumes_m3, &Step::tangent_volumes);
+    for (Entry& entry : entries)
+        if (entry.column.quantity.starts_with("volume_")) entry.column.bends = !model.dynamics;
 }
 
 /// Errors of the load and of the outputs.
@@ -185,7 +190,8 @@ void add_local_values(std::vector<Entry>& entries, const model::Case& model) {
     entries.push_back({plain("min_J", Role::dependent, "smallest volume ratio J at a quadrature point"),
                        [](const Step& step) { return step.min_jacobian; }});
     if (model.dynamics) return;  // the stability of a state in motion is not known
-    entries.push_back({plain("stable", Role::flag, "1 if the state is stable under the loads as stated in the design"),
+    entries.push_back({plain("stable", Role::flag,
+                             "1 if the state is stable under the loads as stated in the design; static paths only"),
                        [](const Step& step) { return value_of(step.stable); }});
     entries.push_back({.column = plain("stable_under_control", Role::flag,
                                        "1 if the state is stable under the control used, such as a prescribed volume"),
@@ -386,11 +392,13 @@ Curve make_curve(const model::Case& model, std::span<const model::Step> steps, c
     for (const model::FirstContact& contact : end.first_contacts)
         if (!steps[static_cast<std::size_t>(contact.at.step)].motion)  // a body with mass keeps its velocity
             curve.kinks.push_back(static_cast<std::size_t>(contact.at.step));
-    const std::vector<double> kink_times = model.dynamics ? model::kink_times(model) : std::vector<double>{};
-    for (std::size_t row = 0; model.dynamics && row < steps.size();
-         ++row)  // the rates of the last row are those after the motion
-        if (row + 1 == steps.size() || std::ranges::binary_search(kink_times, steps[row].motion->time_s))
-            curve.kinks.push_back(row);
+    std::vector<double> kink_times;
+    if (model.dynamics) {
+        kink_times = model::kink_times(model);
+        kink_times.push_back(model.dynamics->duration_s);  // the rates there are those after the motion
+    }
+    for (std::size_t row = 0; row < steps.size() && model.dynamics; ++row)
+        if (std::ranges::binary_search(kink_times, steps[row].motion->time_s)) curve.kinks.push_back(row);
     std::ranges::sort(curve.kinks);
     for (Entry& entry : entries_of(model, steps)) {
         const auto has_value = [&](const Step& step) { return entry.value_SI(step).has_value(); };

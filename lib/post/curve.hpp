@@ -51,6 +51,7 @@ struct Column {
     Source source = Source::other;
     std::size_t index = 0;       ///< index of the output, if the source is an output
     std::vector<double> values;  ///< one per row
+    bool bends = true;           ///< at Curve::kinks; false: its slope is continuous there
     /// Derivative along the path, with an arbitrary positive scale per row that all columns share; 0 in all coordinates of a row: unknown.
     /// Dependent columns: one per row, or empty.
     std::vector<double> slopes;

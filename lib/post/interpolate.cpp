@@ -16,8 +16,12 @@ struct Metric {
     std::vector<double> inverse_range;
 
     explicit Metric(const Curve& curve) {
+        const bool have_slopes = std::ranges::any_of(curve.columns, [](const Column& column) {
+            return column.role == Role::coordinate && !column.slopes.empty();
+        });
         for (const Column& column : curve.columns) {
             if (column.role != Role::coordinate || column.values.empty()) continue;
+            if (have_slopes && column.slopes.empty()) continue;  // it would count in distances alone
             const auto [low, high] = std::minmax_element(column.values.begin(), column.values.end());
             if (!(*high > *low)) continue;
             columns.push_back(&column);
@@ -234,7 +238,8 @@ Path::Path(const Curve& curve) : curve_(&curve) {
         for (std::size_t i = 0; i < speeds.size(); ++i) {
             const double ds = parameters[i + 1] - parameters[i], difference = q[i + 1] - q[i];
             using enum Speeds::Directions;
-            const auto known = has_slopes(column) ? speeds[i].directions : both;
+            const bool continues = !column.bends && speeds[i].directions == first;
+            const auto known = has_slopes(column) && !continues ? speeds[i].directions : both;
             double start = slope(i, speeds[i].start, by_rows[i].start * ds),
                    end = slope(i + 1, speeds[i].end, by_rows[i].end * ds);
             if (known == first) end = 2 * difference - start;

@@ -15,7 +15,8 @@
 /// row belongs to the next stage. In this interval the piece is the arc given by u1 alone: m1 = v u1, m0 = 2 (q1 - q0) - m1,
 /// v = |q1 - q0| / cos(chord, u1) (a parabola about its axis, third order; derived here). It is a straight line if u1 is not within
 /// 60 degrees of the chord, or if a coordinate would not be monotonic in the interval.
-/// At a kink (Curve::kinks) the direction recorded is that after it: the interval before is the arc given by u0 alone, in the same way.
+/// At a kink (Curve::kinks) the direction recorded is that after it: the interval before is the arc given by u0 alone, in the same way. In a
+/// motion only the loads bend (Column::bends); displacements keep their velocity.
 /// With a time the parameter is the time, and the slopes are time derivatives: the cubic through two rows interpolates values and
 /// velocities. In the interval after a change of stage the velocity at its start is unknown: there it is the parabola with the velocity at
 /// its end, or a straight line where that would turn. Tested by post/interpolate_test and post/dependent_columns_test.

@@ -8,10 +8,20 @@
 namespace soft::post {
 namespace {
 
-/// The slope of a quantity over the first output along the path.
-double slope(const model::Step& step, std::size_t quantity) {
+/// The slope of a quantity over the first output along the path, of quantities without slopes from the neighbouring rows; 0 where the body
+/// rests at a held load.
+double slope(const model::Case& model, std::span<const model::Step> steps, std::size_t row, std::size_t quantity) {
+    const model::Step& step = steps[row];
+    const auto knows = [&](std::size_t q) { return q == 0 || model::has_slope(model.outputs[q - 1].measure); };
+    if (!knows(quantity) || !knows(1)) {
+        const auto value = [&](std::size_t at, std::size_t q) {
+            return q == 0 ? steps[at].pressure_Pa : steps[at].outputs[q - 1];
+        };
+        const std::size_t before = row > 0 ? row - 1 : 0, after = std::min(row + 1, steps.size() - 1);
+        return (value(after, quantity) - value(before, quantity)) / (value(after, 1) - value(before, 1));
+    }
     const double tangent = quantity == 0 ? step.tangent_pressure : step.tangent_outputs[quantity - 1];
-    return tangent / step.tangent_outputs[0];
+    return step.tangent_outputs[0] == 0 && model::holds_load(step) ? 0 : tangent / step.tangent_outputs[0];
 }
 
 }  // namespace
@@ -28,14 +38,15 @@ SensitivityColumns add_sensitivity_columns(Curve& curve, const model::Case& mode
         for (std::size_t row = 0; row < steps.size(); ++row) column.values.push_back(value_at(row));
         curve.columns.push_back(std::move(column));
     };
-    for (std::size_t q = 0; q < added.quantities; ++q) add([&](std::size_t row) { return slope(steps[row], q); });
+    for (std::size_t q = 0; q < added.quantities; ++q)
+        add([&](std::size_t row) { return slope(model, steps, row, q); });
     for (std::size_t p = 0; p < model.parameters.size(); ++p) {
         const auto derivatives = [&](std::size_t row) { return &steps[row].derivatives[p * added.quantities]; };
         for (std::size_t q = 0; q < added.quantities; ++q)
             add([&](std::size_t row) {
                 return with_derivatives(steps, row, [&](std::size_t known) {
                     const double* D = derivatives(known);
-                    return added.in_time || D[1] == 0 ? D[q] : D[q] - slope(steps[known], q) * D[1];
+                    return added.in_time || D[1] == 0 ? D[q] : D[q] - slope(model, steps, known, q) * D[1];
                 });
             });
         add([&](std::size_t row) {

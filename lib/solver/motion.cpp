@@ -121,11 +121,11 @@ void MotionFollower::choose_first_step() {
     const int intervals = std::max(dynamics_.rows - 1, 1);  // row 0 is one of them
     row_interval_s_ = duration / intervals;
     next_row_s_ = 0.0;
+    kinks_ = model::kink_times(input_);
     if (is_constant()) {
         step_s_ = std::min(dynamics_.step_s, duration);
         row_interval_s_ = step_s_ * std::ceil(std::ceil(duration / step_s_ * (1.0 - same_time)) / intervals);
     } else {
-        kinks_ = model::kink_times(input_);
         step_s_ = round_step_size(first_share * shortest_change_s(input_));
     }
     if (explicit_) {
@@ -213,7 +213,7 @@ double MotionFollower::next_step() {
 double MotionFollower::longest_step() const {
     double target = dynamics_.duration_s;
     for (const double kink : kinks_)
-        if (kink > last_.time_s) {
+        if (kink > last_.time_s && !is_constant()) {
             target = std::min(target, kink);
             break;
         }
@@ -279,14 +279,16 @@ void MotionFollower::accept(double step_s, std::optional<double> error) {
     if (is_constant() && !explicit_) step_s_ = std::min(dynamics_.step_s, 2.0 * step_s_);
     if (explicit_ && steps_ >= next_estimate_) update_stable_step();
     if (is_adaptive()) adapt(error, step_s);
+    bool at_a_kink = false;  // which interpolation needs to know
     for (const double kink : kinks_)
         if (std::abs(kink - last_.time_s) <= same_time * step_s) {
+            at_a_kink = true;
             last_.time_s = kink;
-            step_s_ = round_step_size(share_after_kink * step_s_);
+            if (!is_constant()) step_s_ = round_step_size(share_after_kink * step_s_);
             history_.clear();  // a difference across a kink does not approximate a derivative
         }
     const bool ends = last_.time_s >= dynamics_.duration_s;
-    if (ends || last_.time_s >= next_row_s_ - same_time * row_interval_s_) append();
+    if (ends || at_a_kink || last_.time_s >= next_row_s_ - same_time * row_interval_s_) append();
     if (finished_) return;
     for (const auto& until : input_.path.stages[0].until)
         if (until.quantity == "steps" && steps_ >= static_cast<int>(until.value)) {

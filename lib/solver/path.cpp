@@ -115,6 +115,7 @@ void PathFollower::step() {
     std::optional<Event> touch;
     auto point = solve_step(aim, touch);
     if (!point) return recover();
+    if (auto stop = stop_before_row(path_, *point, system_)) return finish(std::move(*stop));
 
     const PredictorError error = error_of(system_, path_, aim, *point);
     if (is_refused(system_, path_, error, *point)) {
@@ -140,7 +141,6 @@ void PathFollower::step() {
     if (shorten_for_time(system_, path_, late, *point))
         return report_row("step of " + short_text(taken) + " has " + short_text(*late) +
                           " times the error in time allowed: repeated with a shorter step");
-    if (auto stop = stop_before_row(path_, *point, system_)) return finish(std::move(*stop));
     if (touch && is_first_try(system_, path_, taken)) reduce_first_step(path_, round_step_size(taken));
     path_.attempts = {};
     report_row(describe(*point) + row_text(*point, error, corrector_.last_result().iterations));

@@ -17,7 +17,8 @@ inline constexpr std::size_t stalled_rows = 150;
 inline constexpr double stalled_length = 0.01;
 [[nodiscard]] std::optional<Stop> stop_before_step(const PathState& path, fem::System& system);
 
-/// Before a point becomes a row: the load factor has changed by more than 1e4 in one step, because the state does not depend on it any more.
+/// Before a point becomes a row: the load factor has changed by more than 1e4 in one step, because the loads of the stage would move the
+/// state by less than 1e-8 of itself.
 [[nodiscard]] std::optional<Stop> stop_before_row(const PathState& path, const PathPoint& point,
                                                   const fem::System& system);
 

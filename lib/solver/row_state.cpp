@@ -172,15 +172,15 @@ void let_contact_rest(fem::System& system, const PathPoint& a, const PathPoint& 
 
 namespace {
 
-/// Whether the body hardly moves with an obstacle at the first point, as where it only just touches, compared with its motion to the second:
+/// Whether the body hardly moves with an obstacle at a point, as where it only just touches, compared with its motion between two points:
 /// a tangent of the length of that motion would move the obstacle by orders of magnitude too far.
-bool is_left_at_rest(const model::Case& input, const PathPoint& from, const PathPoint& to, double length) {
+bool is_at_rest(const model::Case& input, const PathPoint& point, double load_factors, double length) {
     constexpr double much_slower = 1e-2;
     bool moves = false;
     for (std::size_t i = 0; i < input.motions.size(); ++i)
-        moves = moves || (from.level_slopes.motions[i] != 0.0 && model::moves_obstacle(input, input.motions[i]));
-    const double by_load = std::abs(to.state.load_factor - from.state.load_factor);
-    return moves && linalg::norm(from.tangent.x) * by_load < much_slower * length * std::abs(from.tangent.load_factor);
+        moves = moves || (point.level_slopes.motions[i] != 0.0 && model::moves_obstacle(input, input.motions[i]));
+    return moves && linalg::norm(point.tangent.x) * std::abs(load_factors) <
+                        much_slower * length * std::abs(point.tangent.load_factor);
 }
 
 }  // namespace
@@ -201,15 +201,28 @@ double work_between(fem::System& system, const PathPoint& from, const PathPoint&
         return fem::moved(fem::no_loads(system.input()), factor, point.level_slopes);
     };
     const auto difference = [&](const LoadLevels& a, const LoadLevels& b) { return fem::moved(a, -1.0, b); };
-    const LoadLevels turn = difference(to.levels, from.levels), end_rate = scaled(to, end);
-    LoadLevels start_rate;
-    if (of_from == FromTangent::along_the_path && !is_left_at_rest(system.input(), from, to, length)) {
+    const LoadLevels turn = difference(to.levels, from.levels);
+    const double load_factors = to.state.load_factor - from.state.load_factor;
+    const bool knows_end = !is_at_rest(system.input(), to, load_factors, length),
+               knows_start =
+                   of_from == FromTangent::along_the_path && !is_at_rest(system.input(), from, load_factors, length);
+    LoadLevels start_rate = turn, end_rate = turn;
+    if (knows_start)
         start_rate = scaled(from, start);
-    } else {  // the parabola through both that has the tangent of `to`
-        SOFT_PETSC(VecWAXPY(start, -1.0, end, change));
-        linalg::add(start, 1.0, change);
-        start_rate = difference(fem::moved(turn, 1.0, turn), end_rate);
-    }
+    else
+        linalg::copy(change, start);
+    if (knows_end)
+        end_rate = scaled(to, end);
+    else
+        linalg::copy(change, end);
+    // Where one tangent is known, the parabola through both points that has it; where none is, the chord.
+    const auto complete = [&](Vec known, const LoadLevels& known_rate, Vec other, LoadLevels& other_rate) {
+        SOFT_PETSC(VecWAXPY(other, -1.0, known, change));
+        linalg::add(other, 1.0, change);
+        other_rate = difference(fem::moved(turn, 1.0, turn), known_rate);
+    };
+    if (knows_start && !knows_end) complete(start, start_rate, end, end_rate);
+    if (knows_end && !knows_start) complete(end, end_rate, start, start_rate);
     const auto power_at = [&](double s) {  // on the cubic
         const double to_start = s * (1.0 - s) * (1.0 - s), to_end = s * s * (s - 1.0), way = s * s * (3.0 - 2.0 * s);
         const double by_start = (1.0 - s) * (1.0 - 3.0 * s), by_end = s * (3.0 * s - 2.0), speed = 6.0 * s * (1.0 - s);

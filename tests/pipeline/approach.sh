@@ -100,6 +100,13 @@ done
 claim "both end alike" within "$(awk -v a="$(column push_N plate-50.csv | tail -n 1)" -v b="$(column push_N plate-50.1.csv | tail -n 1)" 'BEGIN { print a / b }')" 0.97 1.03
 runs 'postprocess -q plate-50.h5 --at way=-1mm -o at.csv'
 runs 'mesh-gen -q plate.yaml --set loads.plate.displacement=-1mm | solve -q | postprocess -q -o one.csv'
+for what in area_mm2 peak_kPa; do
+    claim "... also $what" within "$(awk -v a="$(column $what at.csv)" -v b="$(column $what one.csv | tail -n 1)" 'BEGIN { print a / b }')" 0.995 1.005
+done
+# The plate presses and is withdrawn.
+runs 'mesh-gen -q plate.yaml --set "path={stages: {press: {loads: {plate: {displacement: -2 mm}}}, back: {loads: {plate: {displacement: 1 mm}}}}}" | solve -q | postprocess -q --also load_work,stored_energy,dissipated_energy -o back.csv'
+claim "it takes its work back" within "$(column load_work_mJ back.csv | tail -n 1)" -2e-3 2e-3
+claim "... and nothing is lost" within "$(column dissipated_energy_mJ back.csv | tail -n 1)" 0 2e-3
 claim "values between the rows are those of a path that ends there" within "$(awk -v a="$(column push_N at.csv)" -v b="$(column push_N one.csv | tail -n 1)" 'BEGIN { print a / b }')" 0.999 1.001
 # Uniaxial compression to 0.9: area 100 / 0.9 mm^2, Cauchy pressure mu (1 / 0.9 - 0.81). The sides do not face the plate.
 claim "the area is that of the end" within "$(column area_mm2 plate-50.csv | tail -n 1)" 110.5 112

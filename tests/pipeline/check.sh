@@ -74,7 +74,7 @@ column() {   # column NAME FILE.csv: prints the values of the column
     awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) c = i; if (!c) exit 1; next } { print $c }' "$2"
 }
 table() {   # table FILE.csv: has a header and at least two rows with the same number of finite numbers
-    awk -F, 'NR == 1 { n = NF; if ($0 !~ /^step,(time_s,)?(cycle,)?(stage,)?(pressure_kPa|traction_kPa|load_N|load_factor),.*,(min_J|stable)(,stable_under_control)?$/) bad = 1; next }
+    awk -F, 'NR == 1 { n = NF; if ($0 !~ /^step,(time_s,)?(cycle,)?(stage,)?(pressure_kPa|traction_kPa|load_N|load_factor),.*,stable(,stable_under_control)?$/ && $0 !~ /^step,time_s,.*,kinetic_energy_mJ,.*,min_J$/) bad = 1; next }
              { if (NF != n) bad = 1; for (i = 1; i <= NF; ++i) if ($i !~ /^-?[0-9.]+(e[-+]?[0-9]+)?$/) bad = 1 }
              END { exit bad || NR < 3 }' "$1"
 }
