@@ -17,24 +17,24 @@ using model::Integrator;
 constexpr double density = 1000.0;
 
 /// A plate that reaches the end of a bar at rest with the velocity v sends a wave of the stress rho c v into it, c^2 = E / rho, until it
-/// returns from the fixed end. The plate moves by 25 % more than its distance to the bar.
+/// returns from the fixed end. The plate moves by twice its distance to the bar.
 TEST(Motion, AMovingObstacleSendsAWaveIntoABar) {
-    constexpr int cells = 100;
+    constexpr int cells = 50;
     constexpr double length_m = bar_length_m, speed_m_s = 0.05, height_m = length_m / cells;
     const double wave_m_s = std::sqrt(bar_modulus_Pa / bar_density), there_and_back_s = 2 * length_m / wave_m_s;
-    const double gap_m = 4 * speed_m_s * there_and_back_s, reaches_s = gap_m / speed_m_s;
+    const double gap_m = speed_m_s * there_and_back_s, reaches_s = there_and_back_s;
     for (const Integrator integrator : {Integrator::generalized_alpha, Integrator::hht, Integrator::newmark,
                                         Integrator::ark4, Integrator::heun, Integrator::central_difference}) {
         auto input = bar_case(cells, 0.0, ramp_time_function());
         input.dead_loads.clear();
         input.obstacles = {{"plate", model::Plane{{length_m + gap_m, 0, 0}, {-1, 0, 0}}}};
-        input.motions = {{"plate", {-1.25 * gap_m, 0, 0}, ramp_time_function(1.25 * reaches_s)}};
+        input.motions = {{"plate", {-2 * gap_m, 0, 0}, ramp_time_function(2 * reaches_s)}};
         input.outputs = {{"push", "", {-1, 0, 0}, model::Measure::force, "", {}, "plate"},
                          {"way", "", {-1, 0, 0}, model::Measure::displacement, "", {}, "plate"}};
         input.contact.distance = 0.01;
         input.path.stages = {full_load(input, {})};
         input.dynamics = Dynamics{.integrator = integrator,
-                                  .duration_s = 1.3 * reaches_s,
+                                  .duration_s = 2.1 * reaches_s,
                                   .accuracy = 1e-5,
                                   .stiffness_damping_s = 2e-6,
                                   .rows = 100'000};
@@ -46,8 +46,8 @@ TEST(Motion, AMovingObstacleSendsAWaveIntoABar) {
         const double from_s = reaches_s + 0.1 * there_and_back_s, to_s = reaches_s + 0.9 * there_and_back_s;
         for (const auto& step : moved.steps) {
             const double t = step.motion->time_s;
-            EXPECT_NEAR(step.pressure_Pa, std::min(t / (1.25 * reaches_s), 1.0), 1e-12);  // the load factor
-            EXPECT_NEAR(step.outputs[1], 1.25 * gap_m * step.pressure_Pa, 1e-12);
+            EXPECT_NEAR(step.pressure_Pa, std::min(t / (2 * reaches_s), 1.0), 1e-12);  // the load factor
+            EXPECT_NEAR(step.outputs[1], 2 * gap_m * step.pressure_Pa, 1e-12);
             if (t < reaches_s - 0.05 * there_and_back_s) {
                 EXPECT_EQ(step.outputs[0], 0.0);
             }
