@@ -62,20 +62,20 @@ bool has_passed_through(const Approach& from, const ClosestPoint& closest, bool 
     return (beside_it && leads_through) || closest.distance_m < thinnest_m;
 }
 
-std::vector<double> nodal_means(const ContactSurface::Entry& entry, std::span<const double> at_points) {
-    const std::size_t nodes = entry.nodes.size();
-    std::vector<double> means(nodes);
-    for (std::size_t a = 0; a < nodes; ++a) {
-        double sum = 0, weights = 0;
-        for (std::size_t q = 0; q < at_points.size(); ++q) {
-            const double N = entry.rule->N[q * nodes + a], weight = entry.weight_m2[q] * N * N;
-            sum += weight * at_points[q];
-            weights += weight;
-        }
-        if (weights > 0) means[a] = sum / weights;
+namespace {
+
+/// Mean over the sample points of a facet at its node a, weighted with the square of the node's shape function.
+double nodal_mean(const ContactSurface::Entry& entry, std::size_t a, std::span<const double> at_points) {
+    double sum = 0, weights = 0;
+    for (std::size_t q = 0; q < at_points.size(); ++q) {
+        const double N = entry.rule->N[q * entry.nodes.size() + a], weight = entry.weight_m2[q] * N * N;
+        sum += weight * at_points[q];
+        weights += weight;
     }
-    return means;
+    return weights > 0 ? sum / weights : 0;
 }
+
+}  // namespace
 
 FacetContact::FacetContact(const ContactState& at, std::size_t facet, std::span<const std::size_t> others,
                            Summary& summary)
@@ -96,7 +96,6 @@ FacetContact::FacetContact(const ContactState& at, std::size_t facet, std::span<
 
 void FacetContact::add(const std::function<void(const Block&)>& to) {
     if (near_.empty() && others_.empty()) return at_.friction.set(facet_, {}, at_.patches, at_.shifts);
-    pressures_Pa_.assign(entry_.X.size(), 0);
     const std::size_t nodes = entry_.nodes.size();
     for (std::size_t q = 0; q < entry_.X.size(); ++q) {
         Point x{};
@@ -104,9 +103,13 @@ void FacetContact::add(const std::function<void(const Block&)>& to) {
         if (!others_.empty()) add_features(q, x);
         for (const SmoothObstacle* obstacle : near_) add_smooth(q, x, *obstacle);
     }
-    for (const auto& [k, pressures] : pressures_by_obstacle_Pa_)
-        for (const double pressure : nodal_means(entry_, pressures))
-            summary_.pressure_Pa[k] = std::max(summary_.pressure_Pa[k], pressure);
+    for (const auto& [k, pressures] : pressures_Pa_)
+        for (std::size_t a = 0; a < nodes; ++a) {
+            const double mean = nodal_mean(entry_, a, pressures);
+            nodal_pressures_Pa_.resize(nodes);
+            nodal_pressures_Pa_[a] = std::max(nodal_pressures_Pa_[a], mean);
+            summary_.pressure_Pa[k] = std::max(summary_.pressure_Pa[k], mean);
+        }
     at_.friction.set(facet_, touches_, at_.patches, at_.shifts);
     for (const Friction::Point& point : at_.friction.points(facet_)) add_friction(point);
     for (const auto& [key, block] : blocks_) to(block);
@@ -135,14 +138,13 @@ Block& FacetContact::block_of(std::size_t key, int obstacle, std::span<const mes
 void FacetContact::note(std::size_t q, int obstacle, double share, const Barrier& b, const Vector3& away) {
     const std::size_t k = obstacle >= 0 ? static_cast<std::size_t>(obstacle) : summary_.area_m2.size() - 1;
     const AreaStretch& stretch = stretch_at(q);
-    const double pressure = -entry_.stiffness_Pa * b.slope * stretch.factor / stretch.stretch,
-                 facing =
-                     facing_of(map_, entry_, q, away);  // beside an edge the sides do not face what the end presses on
+    const double pressure = -entry_.stiffness_Pa * b.slope * stretch.factor / stretch.stretch;
+    const double facing =
+        facing_of(map_, entry_, q, away);  // beside an edge, sides do not face what the end presses on
     summary_.area_m2[k] += facing * share * entry_.weight_m2[q] * stretch.stretch;
-    std::vector<double>& of_obstacle = pressures_by_obstacle_Pa_[k];
-    of_obstacle.resize(entry_.X.size());
-    of_obstacle[q] = std::max(of_obstacle[q], facing * pressure);
-    pressures_Pa_[q] = std::max(pressures_Pa_[q], facing * pressure);
+    std::vector<double>& pressures = pressures_Pa_[k];
+    pressures.resize(entry_.X.size());
+    pressures[q] = std::max(pressures[q], facing * pressure);
     if (summary_.location && pressure <= summary_.max_pressure_Pa) return;
     summary_.max_pressure_Pa = pressure;
     summary_.location = entry_.X[q];

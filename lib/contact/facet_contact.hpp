@@ -64,9 +64,6 @@ struct ContactState {
     bool rests = false;
 };
 
-/// Means over the sample points of a facet at its nodes, weighted with the square of the node's shape function.
-[[nodiscard]] std::vector<double> nodal_means(const ContactSurface::Entry& entry, std::span<const double> at_points);
-
 class FacetContact {
 public:
     /// `others`: entries of the surface near this one.
@@ -78,8 +75,8 @@ public:
     [[nodiscard]] std::span<const double> clearances_m() const { return clearances_m_; }
     /// Likewise of the smooth obstacles, the nearest.
     [[nodiscard]] double clearance_of_obstacles_m() const { return clearance_of_obstacles_m_; }
-    /// Largest pressure on the deformed area by sample point, after add(); empty where nothing is near.
-    [[nodiscard]] std::vector<double> pressures_Pa() { return std::move(pressures_Pa_); }
+    /// Potential::nodal_pressures_Pa of this facet, after add(); empty where nothing touches.
+    [[nodiscard]] std::vector<double> nodal_pressures_Pa() { return std::move(nodal_pressures_Pa_); }
 
 private:
     /// Whether a sample point lies on another facet, at a common corner or edge.
@@ -104,9 +101,8 @@ private:
     std::vector<const SmoothObstacle*> near_;
     std::map<std::size_t, Block> blocks_;
     std::map<std::size_t, AreaStretch> stretches_;  // of the sample points that touch
-    std::vector<double> clearances_m_, pressures_Pa_;
-    std::map<std::size_t, std::vector<double>>
-        pressures_by_obstacle_Pa_;  // as in Summary::pressure_Pa, by sample point
+    std::vector<double> clearances_m_, nodal_pressures_Pa_;
+    std::map<std::size_t, std::vector<double>> pressures_Pa_;  // as in Summary::pressure_Pa, by sample point
     double clearance_of_obstacles_m_ = std::numeric_limits<double>::max();
     std::vector<Touch> touches_;
 };

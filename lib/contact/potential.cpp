@@ -86,7 +86,7 @@ public:
             apart.set(i, near[k], facet.clearances_m()[k], at.patches);
             clearance_m = std::min(clearance_m, facet.clearances_m()[k]);
         }
-        return facet.pressures_Pa();
+        return facet.nodal_pressures_Pa();
     }
 
     [[nodiscard]] double share_without_crossing(std::span<const Patch> from, std::span<const Vector3> shifts,
@@ -243,10 +243,9 @@ std::vector<double> Potential::nodal_pressures_Pa(std::span<const Point> positio
     for (std::size_t i = 0; i < parts_->surface.free_count(); ++i) {
         const auto& entry = parts_->surface.entries()[i];
         const auto pressures_Pa = parts_->add(at, i, others[i], summary, [](const Block&) {});
-        const auto means = nodal_means(entry, pressures_Pa);
-        for (std::size_t a = 0; a < means.size(); ++a) {
+        for (std::size_t a = 0; a < pressures_Pa.size(); ++a) {
             double& value_Pa = nodal_Pa[static_cast<std::size_t>(entry.nodes[a])];
-            value_Pa = std::max(value_Pa, means[a]);
+            value_Pa = std::max(value_Pa, pressures_Pa[a]);
         }
     }
     return nodal_Pa;
