@@ -80,19 +80,6 @@ double slope_of(const model::Step& step, std::size_t index) {
     return index == 0 ? step.tangent_pressure : step.tangent_outputs[index - 1];
 }
 
-/// d quantity / d at along the path, in SI units; of quantities without slopes from the neighbouring rows.
-double slope_ratio(const Solved& solved, std::size_t row, const Quantity& quantity, const Quantity& at) {
-    const auto& steps = solved.steps;
-    if (!quantity.column->slopes.empty() && !at.column->slopes.empty())
-        return slope_of(steps[row], *at.index) == 0
-                   ? 0
-                   : slope_of(steps[row], *quantity.index) / slope_of(steps[row], *at.index);
-    const std::size_t before = row > 0 ? row - 1 : 0, after = std::min(row + 1, steps.size() - 1);
-    const double turn = (at.column->values[after] - at.column->values[before]) * at.column->SI_per_unit;
-    const auto& values = quantity.column->values;
-    return turn == 0 ? 0 : (values[after] - values[before]) * quantity.column->SI_per_unit / turn;
-}
-
 /// A quantity along the path of a run, with its derivatives at fixed values of another quantity as further columns.
 class QuantityOnCurve {
 public:
@@ -117,7 +104,7 @@ public:
                 // In a stage that does not change `at`: about the derivative at the start of the stage that does.
                 while (row + 1 < solved.steps.size() && slope_of(solved.steps[row], *at.index) == 0) ++row;
                 const double* D = of_row();
-                return D[*quantity.index] - slope_ratio(solved, row, quantity, at) * D[*at.index];
+                return D[*quantity.index] - post::slope_ratio(*quantity.column, *at.column, row) * D[*at.index];
             };
             for (std::size_t row = 0; row < solved.steps.size(); ++row)
                 column.values.push_back(post::with_derivatives(solved.steps, row, derivative));

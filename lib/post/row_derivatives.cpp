@@ -20,4 +20,13 @@ double with_derivatives(std::span<const model::Step> steps, std::size_t row,
     return std::lerp(value(before), value(after), share);
 }
 
+double slope_ratio(const Column& of, const Column& by, std::size_t row) {
+    const auto ratio = [&](double change, double turn) {
+        return turn == 0 ? 0 : change / turn * (of.SI_per_unit / by.SI_per_unit);
+    };
+    if (!of.slopes.empty() && !by.slopes.empty()) return ratio(of.slopes[row], by.slopes[row]);
+    const std::size_t before = row > 0 ? row - 1 : 0, after = std::min(row + 1, by.values.size() - 1);
+    return ratio(of.values[after] - of.values[before], by.values[after] - by.values[before]);
+}
+
 }  // namespace soft::post
