@@ -212,11 +212,8 @@ double MotionFollower::next_step() {
 
 double MotionFollower::longest_step() const {
     double target = dynamics_.duration_s;
-    for (const double kink : kinks_)
-        if (kink > last_.time_s && !is_constant()) {
-            target = std::min(target, kink);
-            break;
-        }
+    const auto kink = std::ranges::upper_bound(kinks_, last_.time_s);
+    if (!is_constant() && kink != kinks_.end()) target = std::min(target, *kink);
     const double left = target - last_.time_s;
     if (step_s_ * (1.0 + same_time) >= left) return left;
     return !is_constant() && 2.0 * step_s_ > left ? 0.5 * left : step_s_;
