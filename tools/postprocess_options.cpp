@@ -56,7 +56,7 @@ const std::string columns_help =
     "pressure_<load>_kPa and volume_<cavity>_mL (if there are several), for dynamics kinetic_energy_mJ, stored_energy_mJ,\n"
     "load_work_mJ (work of the loads) and damping_work_mJ (energy dissipated by damping), stretch_p99 (largest principal stretch\n"
     "exceeded in 1 % of the rubber: converges under refinement), max_stretch (does not converge at a sharp corner), min_J\n"
-    "(smallest volume ratio), stable (1 or 0). max_stretch and min_J are values of single integration points; pictures and\n"
+    "(smallest volume ratio), stable (1 or 0; not in motions). max_stretch and min_J are values of single integration points; pictures and\n"
     "ParaView's nodal fields use the linear part of each cell, which is more accurate and does not show such peaks.\n"
     "--also adds for static paths stored_energy_mJ and load_work_mJ, dissipated_energy_mJ (by inelastic rubber and snaps) and\n"
     "friction_work_mJ (dissipated by friction), and the undeformed positions of max_stretch and of the largest energy density;\n"
