@@ -59,7 +59,7 @@ std::vector<PetscInt> fixed_components(const model::Case& input) {
     return fixed;
 }
 
-/// The lowest rank that uses a node, and the lowest that uses it as a vertex of a Taylor-Hood cell.
+/// The lowest rank that uses a node, and the lowest that uses it as a vertex of a Taylor-Hood cell of a region (DofMap::vertex_index).
 struct Owners {
     std::vector<int> node, vertex;
 };
@@ -68,14 +68,16 @@ Owners find_owners(const mesh::Mesh& mesh, std::span<const fem::ReferenceCell> r
                    const std::vector<int>& cell_rank) {
     Owners owners;
     owners.node.assign(mesh.points.size(), std::numeric_limits<int>::max());
-    owners.vertex = owners.node;
+    owners.vertex.assign(mesh.points.size() * DofMap::region_count(mesh), std::numeric_limits<int>::max());
     for (mesh::Index cell = 0; cell < mesh.cell_count(); ++cell) {
         const auto& reference = reference_of(references, mesh.cell_type(cell));
         const auto nodes = mesh.cell_nodes(cell);
         for (const auto node : nodes) owners.node[node] = std::min(owners.node[node], cell_rank[cell]);
         if (reference.pressure == fem::PressureSpace::continuous_vertex)
-            for (int v = 0; v < reference.pressure_dofs; ++v)
-                owners.vertex[nodes[v]] = std::min(owners.vertex[nodes[v]], cell_rank[cell]);
+            for (int v = 0; v < reference.pressure_dofs; ++v) {
+                int& owner = owners.vertex[DofMap::vertex_index(mesh, cell, nodes[v])];
+                owner = std::min(owner, cell_rank[cell]);
+            }
     }
     return owners;
 }
@@ -100,8 +102,9 @@ void number_cell(const model::Case& input, mesh::Index cell, const fem::Referenc
     }
     if (reference.pressure == fem::PressureSpace::continuous_vertex)
         for (int v = 0; v < reference.pressure_dofs; ++v) {
-            auto& number = map.vertex_pressure[nodes[v]];
-            if (owners.vertex[nodes[v]] != rank || number >= 0) continue;
+            const std::size_t vertex = DofMap::vertex_index(input.mesh, cell, nodes[v]);
+            auto& number = map.vertex_pressure[vertex];
+            if (owners.vertex[vertex] != rank || number >= 0) continue;
             number = next++;
             ++map.pressures;
         }
@@ -125,7 +128,7 @@ DofMap make_dof_map(const model::Case& input, std::span<const fem::ReferenceCell
     map.dimension = mesh.dimension;
     map.pressure_scale_Pa = pressure_scale_Pa;
     map.displacement.assign(mesh.points.size() * mesh.dimension, unnumbered);
-    map.vertex_pressure.assign(mesh.points.size(), -1);
+    map.vertex_pressure.assign(mesh.points.size() * DofMap::region_count(mesh), -1);
     map.cell_pressure.assign(mesh.cell_types.size(), -1);
     map.cell_rank =
         cell_rank.empty() ? partition_cells(mesh, comm) : std::vector<int>(cell_rank.begin(), cell_rank.end());
@@ -156,7 +159,8 @@ void DofMap::cell_dofs(const mesh::Mesh& mesh, mesh::Index cell, const fem::Refe
     if (reference.pressure == fem::PressureSpace::discontinuous_linear)
         for (int s = 0; s < reference.pressure_dofs; ++s) out.push_back(cell_pressure[cell] + s);
     if (reference.pressure == fem::PressureSpace::continuous_vertex)
-        for (int v = 0; v < reference.pressure_dofs; ++v) out.push_back(vertex_pressure[nodes[v]]);
+        for (int v = 0; v < reference.pressure_dofs; ++v)
+            out.push_back(vertex_pressure[vertex_index(mesh, cell, nodes[v])]);
 }
 
 void DofMap::node_dofs(std::span<const mesh::Index> nodes, std::vector<PetscInt>& out) const {

@@ -6,6 +6,7 @@
 /// A pressure unknown is p / pressure_scale, with pressure_scale = shear modulus / cell size, so that the force rows and the
 /// volume rows have entries of similar size and one norm is meaningful for both.
 /// Tested by fem/system_test.
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -21,11 +22,20 @@ struct DofMap {
     PetscInt begin = 0, end = 0;  ///< this rank's range
     PetscInt pressures = 0;       ///< pressure unknowns on all ranks
     double pressure_scale_Pa = 1;
-    std::vector<PetscInt> displacement;     ///< [node x dimension + component], negative if fixed or prescribed
-    std::vector<PetscInt> vertex_pressure;  ///< [node], -1 for a node without pressure
-    std::vector<PetscInt> cell_pressure;    ///< [cell] first of its discontinuous pressures, -1 if it has none
-    std::vector<int> cell_rank;             ///< [cell] the rank that assembles it
+    std::vector<PetscInt> displacement;  ///< [node x dimension + component], negative if fixed or prescribed
+    /// [vertex_index], -1 for a node without pressure. Continuous within a region: at an interface the pressure jumps.
+    std::vector<PetscInt> vertex_pressure;
+    std::vector<PetscInt> cell_pressure;  ///< [cell] first of its discontinuous pressures, -1 if it has none
+    std::vector<int> cell_rank;           ///< [cell] the rank that assembles it
 
+    [[nodiscard]] static std::size_t region_count(const mesh::Mesh& mesh) {
+        return std::max<std::size_t>(1, mesh.region_names.size());
+    }
+    /// Index of a node as a vertex of a cell, by node and region.
+    [[nodiscard]] static std::size_t vertex_index(const mesh::Mesh& mesh, mesh::Index cell, mesh::Index node) {
+        return static_cast<std::size_t>(node) * region_count(mesh) +
+               static_cast<std::size_t>(mesh.cell_regions[static_cast<std::size_t>(cell)]);
+    }
     /// The unknowns of a cell, component by component, then pressures: the order of fem/solid_kernel.hpp.
     void cell_dofs(const mesh::Mesh& mesh, mesh::Index cell, const fem::ReferenceCell& reference,
                    std::vector<PetscInt>& out) const;

@@ -110,7 +110,7 @@ std::vector<linalg::PressureBlock> pressure_blocks(const System& system) {
     using linalg::PressureBlock;
     const model::Case& input = system.input();
     const DofMap& map = system.dofs();
-    std::vector<double> modulus_Pa, of_vertex(input.mesh.points.size(), 0.0);
+    std::vector<double> modulus_Pa, of_vertex(map.vertex_pressure.size(), 0.0);
     for (const auto& rubber : system.discretization().rubbers)
         modulus_Pa.push_back(material::initial_shear_modulus_Pa(rubber));
     std::vector<PlacedBlock> placed;
@@ -128,11 +128,11 @@ std::vector<linalg::PressureBlock> pressure_blocks(const System& system) {
                 {map.cell_pressure[cell], {PressureBlock::Kind::of_cell, reference.pressure_dofs, std::move(mass)}});
         else
             for (int v = 0; v < reference.pressure_dofs; ++v)
-                of_vertex[nodes[v]] += mass[v * (reference.pressure_dofs + 1)];
+                of_vertex[DofMap::vertex_index(input.mesh, cell, nodes[v])] += mass[v * (reference.pressure_dofs + 1)];
     }
-    for (std::size_t node = 0; node < of_vertex.size(); ++node)
-        if (is_own(map.vertex_pressure[node]))
-            placed.push_back({map.vertex_pressure[node], {PressureBlock::Kind::of_vertex, 1, {of_vertex[node]}}});
+    for (std::size_t vertex = 0; vertex < of_vertex.size(); ++vertex)
+        if (is_own(map.vertex_pressure[vertex]))
+            placed.push_back({map.vertex_pressure[vertex], {PressureBlock::Kind::of_vertex, 1, {of_vertex[vertex]}}});
     std::ranges::sort(placed, {}, &PlacedBlock::first);
     std::vector<PressureBlock> blocks;
     for (auto& [first, block] : placed) blocks.push_back(std::move(block));

@@ -1,5 +1,7 @@
 #include "post/recovery.hpp"
 
+#include <algorithm>
+#include <functional>
 #include <numeric>
 
 #include "fem/solid_kernel.hpp"
@@ -49,6 +51,32 @@ std::vector<double> nodal_functions(const fem::ReferenceCell& cell, std::span<co
     return functions;
 }
 
+/// A continuous pressure is linear between the vertices. At a vertex that is shared with another region the nodal mean is replaced by the
+/// value that follows from the middles of edges to vertices that are not.
+std::vector<double> vertex_pressure(const fem::ReferenceCell& cell, const NodalPressures& nodal) {
+    const auto dofs = static_cast<std::size_t>(cell.pressure_dofs), n = static_cast<std::size_t>(cell.nodes);
+    std::vector<double> unknowns(nodal.pressure_Pa.begin(), nodal.pressure_Pa.begin() + cell.pressure_dofs);
+    if (std::none_of(nodal.shared.begin(), nodal.shared.begin() + cell.pressure_dofs, std::identity{})) return unknowns;
+    const auto functions = nodal_functions(cell, nodal.X);
+    const auto unshared =
+        std::count(nodal.shared.begin() + cell.pressure_dofs, nodal.shared.begin() + cell.nodes, false);
+    for (std::size_t v = 0; v < dofs; ++v) {
+        double sum = 0, mean = 0;
+        int count = 0;
+        for (std::size_t a = dofs; nodal.shared[v] && a < n; ++a)
+            for (std::size_t w = 0; w < dofs; ++w)
+                if (w != v && !nodal.shared[a] && !nodal.shared[w] && functions[a * dofs + v] == 0.5 &&
+                    functions[a * dofs + w] == 0.5) {
+                    sum += 2 * nodal.pressure_Pa[a] - nodal.pressure_Pa[w];
+                    ++count;
+                }
+        for (std::size_t a = dofs; nodal.shared[v] && count == 0 && a < n; ++a)  // constant where nothing else is known
+            if (!nodal.shared[a]) mean += nodal.pressure_Pa[a] / static_cast<double>(unshared);
+        if (nodal.shared[v] && (count > 0 || unshared > 0)) unknowns[v] = count > 0 ? sum / count : mean;
+    }
+    return unknowns;
+}
+
 }  // namespace
 
 std::vector<double> extrapolation(const fem::ReferenceCell& cell, std::span<const double> X) {
@@ -87,9 +115,7 @@ std::vector<double> extrapolation(const fem::ReferenceCell& cell, std::span<cons
 
 std::vector<double> cell_pressure(const fem::ReferenceCell& cell, const NodalPressures& nodal) {
     const auto dofs = static_cast<std::size_t>(cell.pressure_dofs);
-    if (cell.pressure == fem::PressureSpace::continuous_vertex)
-        return {nodal.pressure_Pa.begin(), nodal.pressure_Pa.begin() + cell.pressure_dofs};
-
+    if (cell.pressure == fem::PressureSpace::continuous_vertex) return vertex_pressure(cell, nodal);
     const auto functions = nodal_functions(cell, nodal.X);
     const std::size_t centre = static_cast<std::size_t>(cell.nodes) - 1;  // the last node in VTK's order
     NormalEquations equations;

@@ -20,7 +20,8 @@ struct NodalPressures {
     std::span<const bool> shared;  ///< [node] shared with another region: its mean value does not represent this cell
 };
 
-/// Unknowns (scale 1 Pa) of the cell's pressure space. continuous_vertex: the values at the vertices.
+/// Unknowns (scale 1 Pa) of the cell's pressure space. continuous_vertex: the values at the vertices; at a shared one,
+/// extrapolated along the edges to others, exactly, or, where there is none, the mean of the nodes between the vertices that are not.
 /// discontinuous_linear: exact at the centre node, which belongs to this cell only; least squares at the nodes that are not
 /// shared. The pressure is constant along directions that these nodes do not determine.
 [[nodiscard]] std::vector<double> cell_pressure(const fem::ReferenceCell& cell, const NodalPressures& nodal);

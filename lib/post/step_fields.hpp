@@ -2,7 +2,8 @@
 /// The state of one step as fields at quadrature points, averaged on cells, and at nodes.
 ///
 /// Quadrature points: F and the stress of the law (material/response.hpp) at the points of the element's quadrature rule. The mixed form
-/// uses the pressure unknown: a continuous pressure is the stored one; for a pressure that is linear in each cell (quadrilaterals and
+/// uses the pressure unknown: a continuous pressure is the stored one, at interfaces between regions that of each region
+/// (post/recovery.hpp); for a pressure that is linear in each cell (quadrilaterals and
 /// hexahedra) the result file contains nodal means over the cells, and the linear function of the cell is fitted to them. The fit is
 /// exact at the centre node and omits nodes on interfaces between regions; it is second-order accurate, as the pressure itself. In
 /// F-bar form the stress of the law at F-bar is referred to F: P = J sigma F^-T.
