@@ -27,6 +27,9 @@ Estimate of_fit(const nlohmann::json& fit) {
     for (const nlohmann::json& constant : fit.at("constants")) {
         std::string name = constant.at("name");  // "mu 1" of a list
         std::ranges::replace(name, ' ', '.');
+        if (constant.at("standard_error").is_null())
+            throw Error(ExitCode::bad_input, "--errors", "the data of the fit do not determine material." + name,
+                        "add a test of another mode, or fit a law with fewer constants");
         estimate.numbers.push_back({"material." + name, constant.at("value").get<double>()});
     }
     return estimate;

@@ -70,16 +70,26 @@ void add_covariance(const Solution& solution, const Rows& rows, Fit& fit) {
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(R, Eigen::ComputeThinU | Eigen::ComputeThinV);
     const Eigen::VectorXd& values = svd.singularValues();
     fit.condition = values[count - 1] > 0.0 ? values[0] / values[count - 1] : std::numeric_limits<double>::infinity();
-    const Eigen::VectorXd inverse = values.unaryExpr([](double v) { return v > 0.0 ? 1.0 / v : 0.0; });
+    // The covariance is that of the combinations which the data determine; the constants in another one have an unlimited error.
+    const double least = static_cast<double>(rows.target.size()) * std::numeric_limits<double>::epsilon() * values[0];
+    const Eigen::VectorXd inverse = values.unaryExpr([least](double v) { return v > least ? 1.0 / v : 0.0; });
+    const Eigen::VectorXd undetermined = values.unaryExpr([least](double v) { return v > least ? 0.0 : 1.0; });
     const double freedom = std::max(1.0, static_cast<double>(rows.target.size() - count));
     const double deviation = std::sqrt(solution.projection.residual.squaredNorm() / freedom);
-    const Eigen::MatrixXd root = deviation * to_constants(solution, rows, fit, J.which) *
-                                 J.inverse_length.asDiagonal() * svd.matrixV() * inverse.asDiagonal();
-    const Eigen::MatrixXd covariance = root * root.transpose();
+    const Eigen::MatrixXd by_combination =
+        to_constants(solution, rows, fit, J.which) * J.inverse_length.asDiagonal() * svd.matrixV();
+    const Eigen::MatrixXd root = deviation * by_combination * inverse.asDiagonal(),
+                          covariance = root * root.transpose();
+    const Eigen::VectorXd unknown = (by_combination * undetermined.asDiagonal()).rowwise().norm(),
+                          whole = by_combination.rowwise().norm();
     for (std::size_t i = 0; i < size; ++i) {
         for (std::size_t j = 0; j < size; ++j)
             fit.covariance[i * size + j] = covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-        fit.list[i].standard_error = std::sqrt(fit.covariance[i * size + i]);
+        constexpr double share_of_rounding = 1e-6;
+        const auto row = static_cast<Eigen::Index>(i);
+        fit.list[i].standard_error = unknown[row] > share_of_rounding * whole[row]
+                                         ? std::numeric_limits<double>::infinity()
+                                         : std::sqrt(fit.covariance[i * size + i]);
     }
 }
 

@@ -19,6 +19,7 @@ std::string value_text(const Constant& constant) {
 std::string error_text(const Fit& fit, const Constant& constant) {
     if (fit.law_is_given) return "given";
     if (!(constant.standard_error > 0.0)) return "at a bound";
+    if (std::isinf(constant.standard_error)) return "not determined by the data";
     return "+- " +
            core::rounded_text(constant.is_stress ? constant.standard_error / kilo : constant.standard_error, 3) +
            (constant.is_stress ? " kPa" : "");
