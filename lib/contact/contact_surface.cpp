@@ -144,9 +144,12 @@ SampleRule sample_rule(mesh::CellType facet) {
 }
 
 bool are_facing(const ContactSurface::Entry& entry, std::size_t q, const Patch& other, const ClosestPoint& closest) {
-    const Vector3 its = unit(normal_at(other, closest.xi)), arm = unit(difference(entry.X[q], other(closest.xi).x));
+    const Vector3 its = unit(normal_at(other, closest.xi));
     const auto faces = [&](const Vector3& n) { return is_facing(entry.undeformed, entry, q, n); };
-    return faces(its) && dot(arm, its) > facing && faces(arm);
+    if (!faces(its)) return false;
+    if (closest.distance_m <= touching_share_of_size * entry.size_m) return true;
+    const Vector3 arm = unit(difference(entry.X[q], other(closest.xi).x));
+    return dot(arm, its) > facing && faces(arm);
 }
 
 bool is_facing(const Patch& patch, const ContactSurface::Entry& entry, std::size_t q, const Vector3& normal) {

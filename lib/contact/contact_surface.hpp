@@ -27,6 +27,9 @@ struct SampleRule {
 /// A point behind a facet by less than this fraction of its own facet's size overlaps with it.
 inline constexpr double overlap_share_of_size = 0.2;
 
+/// Of a facet's size: closer, surfaces touch, as the direction of the gap is lost in rounding.
+inline constexpr double touching_share_of_size = 1e-6;
+
 /// How two facets of the actuator lie to each other in the undeformed state. Sides of a groove are neighbours with air between them; between
 /// the sides of a wall, or of one cell, is rubber.
 enum class Adjacency { apart, neighbours, sides_of_a_groove, sides_of_a_wall };
@@ -97,7 +100,7 @@ private:
 [[nodiscard]] bool share_a_side(std::span<const mesh::Index> corners, std::span<const mesh::Index> others,
                                 int dimension);
 
-/// Whether air, not rubber, lies between a sample point and the closest point of another facet in the undeformed state.
+/// Whether air, not rubber, lies between a sample point and the closest point of another facet in the undeformed state, or they touch there.
 [[nodiscard]] bool are_facing(const ContactSurface::Entry& entry, std::size_t q, const Patch& other,
                               const ClosestPoint& closest);
 

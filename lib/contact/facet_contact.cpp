@@ -19,20 +19,10 @@ constexpr double beside = 0.5;
 constexpr double share_of_initial_gap = 0.1;
 /// Two points of the undeformed body this close (fraction of the facet's size) are the same.
 constexpr double same_point = 1e-9;
-/// Fraction of h: below it the curvature of the distance is lost in rounding.
+/// Fraction of h: below it the curvature of the distance is lost in rounding, and a reach below it does not act.
 constexpr double no_gap = 1e-6;
 /// Keys of the blocks of smooth obstacles and of friction with obstacles, after those of facets and faceted obstacles.
 constexpr std::size_t smooth_keys = std::size_t{1} << 60, friction_keys = std::size_t{1} << 61;
-
-/// The closest point of the same feature in the undeformed state.
-ClosestPoint undeformed_closest(const Patch& patch, const Feature& feature, const Point& X) {
-    switch (feature.kind) {
-        case Feature::Kind::facet: return closest_point(patch, X);
-        case Feature::Kind::edge: return closest_on_edge(patch, feature.k, X);
-        case Feature::Kind::corner: break;
-    }
-    return at_corner(patch, feature.k, X);
-}
 
 bool is_behind(const Feature& feature, std::span<const Patch> patches, const Point& x) {
     return dot(difference(x, patches[feature.facet](feature.closest.xi).x), feature.normal) < 0;
@@ -64,6 +54,13 @@ bool has_passed_through(const Approach& from, const ClosestPoint& closest, bool 
 
 namespace {
 
+/// Contact distance of the sample point next to xi.
+double distance_at(const ContactSurface::Entry& entry, const surface::FacetPoint& xi) {
+    const auto away = [&](const surface::FacetPoint& at) { return std::hypot(at[0] - xi[0], at[1] - xi[1]); };
+    const auto next = std::ranges::min_element(entry.rule->xi, {}, away);
+    return entry.h_m[static_cast<std::size_t>(next - entry.rule->xi.begin())];
+}
+
 /// Mean over the sample points of a facet at its node a, weighted with the square of the node's shape function.
 double nodal_mean(const ContactSurface::Entry& entry, std::size_t a, std::span<const double> at_points) {
     double sum = 0, weights = 0;
@@ -89,7 +86,7 @@ FacetContact::FacetContact(const ContactState& at, std::size_t facet, std::span<
     double radius = entry_.distance_m;
     for (std::size_t a = 0; a < entry_.nodes.size(); ++a)
         radius = std::max(radius, entry_.distance_m + 1.5 * norm(difference(map_.nodes[a], middle)));
-    for (const SmoothObstacle& obstacle : at.smooth)
+    for (const ObstacleDistance& obstacle : at.smooth)
         if (obstacle.at(middle, at.shifts).value_m < radius) near_.push_back(&obstacle);
     clearances_m_.assign(others.size(), std::numeric_limits<double>::max());
 }
@@ -101,7 +98,7 @@ void FacetContact::add(const std::function<void(const Block&)>& to) {
         Point x{};
         for (std::size_t a = 0; a < nodes; ++a) x = along(x, entry_.rule->N[q * nodes + a], map_.nodes[a]);
         if (!others_.empty()) add_features(q, x);
-        for (const SmoothObstacle* obstacle : near_) add_smooth(q, x, *obstacle);
+        for (const ObstacleDistance* obstacle : near_) add_smooth(q, x, *obstacle);
     }
     for (const auto& [k, pressures] : pressures_Pa_)
         for (std::size_t a = 0; a < nodes; ++a) {
@@ -135,27 +132,42 @@ Block& FacetContact::block_of(std::size_t key, int obstacle, std::span<const mes
     return blocks_.emplace(key, std::move(block)).first->second;
 }
 
-void FacetContact::note(std::size_t q, int obstacle, double share, const Barrier& b, const Vector3& away) {
-    const std::size_t k = obstacle >= 0 ? static_cast<std::size_t>(obstacle) : summary_.area_m2.size() - 1;
+double FacetContact::pressure_at(std::size_t q, const Barrier& b) {
     const AreaStretch& stretch = stretch_at(q);
-    const double pressure = -entry_.stiffness_Pa * b.slope * stretch.factor / stretch.stretch;
+    return -entry_.stiffness_Pa * b.slope * stretch.factor / stretch.stretch;
+}
+
+double FacetContact::pressure_on(const ContactSurface::Entry& entry, const Patch& now, const surface::FacetPoint& xi,
+                                 const Barrier& b) const {
+    const double stretch = area_stretch(entry.undeformed, now, xi, at_.surface.is_revolved());
+    return -entry.stiffness_Pa * b.slope * area_factor(stretch).value / stretch;
+}
+
+void FacetContact::note(std::size_t q, int obstacle, double share, double own_Pa, double other_Pa,
+                        const Vector3& away) {
+    const double pressure = own_Pa + other_Pa;
+    const std::size_t k = obstacle >= 0 ? static_cast<std::size_t>(obstacle) : summary_.area_m2.size() - 1;
     const double facing =
         facing_of(map_, entry_, q, away);  // beside an edge, sides do not face what the end presses on
-    summary_.area_m2[k] += facing * share * entry_.weight_m2[q] * stretch.stretch;
+    summary_.area_m2[k] += facing * share * entry_.weight_m2[q] * stretch_at(q).stretch;
     std::vector<double>& pressures = pressures_Pa_[k];
     pressures.resize(entry_.X.size());
     pressures[q] = std::max(pressures[q], facing * pressure);
-    if (summary_.location && pressure <= summary_.max_pressure_Pa) return;
+    if (own_Pa <= 0 || (summary_.location && pressure <= summary_.max_pressure_Pa)) return;
     summary_.max_pressure_Pa = pressure;
     summary_.location = entry_.X[q];
     summary_.touched = obstacle;
 }
 
 bool FacetContact::is_at(std::size_t q, const ContactSurface::Entry& other) const {
+    const double same_m = touching_share_of_size * entry_.size_m;
+    if (other.obstacle >= 0 || at_least(other.undeformed, entry_.X[q]) > same_m) return false;
+    const ClosestPoint closest = closest_point(other.undeformed, entry_.X[q]);
+    if (closest.distance_m > same_m) return false;
     const bool neighbours = std::ranges::any_of(entry_.corners, [&](std::size_t corner) {
         return std::ranges::find(other.corners, corner) != other.corners.end();
     });
-    return neighbours && closest_point(other.undeformed, entry_.X[q]).distance_m <= same_point * entry_.size_m;
+    return neighbours || !are_facing(entry_, q, other.undeformed, closest);
 }
 
 void FacetContact::add_features(std::size_t q, const Point& x) {
@@ -177,11 +189,11 @@ void FacetContact::add_features(std::size_t q, const Point& x) {
         const bool behind = dot(difference(x, y.x), cross(y.t1, y.t2)) < 0;
         clearances_m_[k] = std::min(clearances_m_[k], closest.distance_m - (at_.rests && !behind ? h : range));
         if (closest.distance_m > range) continue;
-        touches = touches || closest.distance_m < h || behind;
+        touches = touches || closest.distance_m < std::max(h, other.distance_m) || behind;
         facets[other.obstacle].push_back(j);
     }
     if (!touches) return;
-    for (const auto& [obstacle, list] : facets) add_features_of(q, x, features_near(at_.surface, at_.patches, list, x));
+    for (const auto& [obstacle, list] : facets) add_features_of(q, x, list);
 }
 
 bool FacetContact::has_passed(std::size_t q, const Point& x, const Feature& closest) const {
@@ -195,52 +207,122 @@ bool FacetContact::has_passed(std::size_t q, const Point& x, const Feature& clos
                                                      closest.closest, is_facing(map_, entry_, q, closest.normal));
 }
 
+bool FacetContact::is_beside(std::size_t q, const Point& x, const Feature& facet) const {
+    const auto& other = at_.surface.entries()[facet.facet];
+    const Patch& patch = at_.patches[facet.facet];
+    const auto y = patch(facet.closest.xi);
+    const Vector3 n = cross(y.t1, y.t2);
+    return other.obstacle < 0 && dot(difference(x, y.x), n) < touching_share_of_size * entry_.size_m * norm(n) &&
+           !has_passed_through({entry_, q, map_, other, patch, at_.surface.is_revolved()}, facet.closest,
+                               is_facing(map_, entry_, q, n));
+}
+
 /// A point is behind a surface if it is behind the part of it that is closest. Then all parts behind which it lies act: the terms that have
-/// the same closest point must cancel.
-void FacetContact::add_features_of(std::size_t q, const Point& x, std::span<const Feature> features) {
+/// the same closest point must cancel. An obstacle is closed: a point is in it only behind the closest of all its facets, and the other
+/// side of a thin one does not act. Nor does a facet of the actuator behind which the point has been from the start, as the end face of a block
+/// beside whose edge the point has passed through a side.
+void FacetContact::add_features_of(std::size_t q, const Point& x, std::span<const std::size_t> facets) {
+    const std::vector<Feature> features = features_near(at_.surface, at_.patches, facets, x);
     std::map<std::size_t, const Feature*> closest;  // by group
+    std::vector<const Feature*> beside;
     for (const Feature& feature : features) {
         if (feature.kind != Feature::Kind::facet) continue;
         const Feature*& known = closest[feature.group];
-        if (known == nullptr || feature.closest.distance_m < known->closest.distance_m) known = &feature;
+        if (is_beside(q, x, feature))
+            beside.push_back(&feature);
+        else if (known == nullptr || feature.closest.distance_m < known->closest.distance_m)
+            known = &feature;
     }
-    for (const auto& [group, facet] : closest) {
-        const bool passed = has_passed(q, x, *facet);
-        for (const Feature& feature : features)
-            if (feature.group == group && (passed || !is_behind(feature, at_.patches, x))) add_feature(q, x, feature);
+    const Feature* nearest = nullptr;
+    for (const auto& [group, facet] : closest)
+        if (facet != nullptr && (nearest == nullptr || facet->closest.distance_m < nearest->closest.distance_m))
+            nearest = facet;
+    std::map<std::size_t, bool> passed;
+    for (const auto& [group, facet] : closest)
+        passed[group] = facet != nullptr && (at_.surface.entries()[facet->facet].obstacle < 0 || facet == nearest) &&
+                        has_passed(q, x, *facet);
+    std::vector<std::size_t> others(facets.begin(), facets.end());
+    for (const Feature* facet : beside)
+        if (passed[facet->group]) std::erase(others, facet->facet);
+    for (const Feature& feature : features)
+        if (at_.surface.entries()[feature.facet].obstacle >= 0 && passed[feature.group] &&
+            dot(feature.normal, nearest->normal) < 0)
+            std::erase(others, feature.facet);
+    if (others.size() < facets.size()) return add_features_of(q, x, others);
+    std::map<std::size_t, Reach> reaches;
+    for (const Feature& feature : features) {
+        const double farthest = std::max(at_.surface.entries()[feature.facet].distance_m,
+                                         std::max(entry_.h_m[q], overlap_share_of_size * entry_.size_m));
+        if (feature.closest.distance_m < farthest && (passed[feature.group] || !is_behind(feature, at_.patches, x)))
+            add_feature(q, x, feature, reach_of(q, feature, features, reaches));
     }
 }
 
+Reach FacetContact::reach_of_facet(std::size_t q, const Feature& facet) const {
+    const auto& other = at_.surface.entries()[facet.facet];
+    const double h = entry_.h_m[q];
+    if (other.obstacle >= 0) return {h, at_.surface.initial_overlap_m(entry_, q, other.obstacle), 0, 0};
+    const double h_other = distance_at(other, facet.closest.xi),
+                 near = std::max(h, other.distance_m) / share_of_initial_gap,
+                 bound = at_least(other.undeformed, entry_.X[q]);
+    const ClosestPoint before = bound > near ? ClosestPoint{bound} : closest_point(other.undeformed, entry_.X[q]);
+    const double initial = before.distance_m;
+    if (initial <= near && are_facing(entry_, q, other.undeformed, before))
+        return {h, at_.surface.initial_overlap_m(entry_, q, -1), h_other, std::max(h_other - initial, 0.0)};
+    return {std::min(h, share_of_initial_gap * initial), 0, std::min(h_other, share_of_initial_gap * initial), 0};
+}
+
+Reach FacetContact::reach_of(std::size_t q, const Feature& feature, std::span<const Feature> features,
+                             std::map<std::size_t, Reach>& known) const {
+    const auto of_facet = [&](const Feature& facet) {
+        const auto found = known.find(facet.facet);
+        return found != known.end() ? found->second
+                                    : known.emplace(facet.facet, reach_of_facet(q, facet)).first->second;
+    };
+    if (feature.kind == Feature::Kind::facet) return of_facet(feature);
+    const auto& with_it = at_.surface.entries()[feature.facet];
+    std::vector<std::size_t> corners{with_it.corners[feature.k]};
+    if (feature.kind == Feature::Kind::edge) {
+        const auto [first, last] = edge_corners(with_it.undeformed.type, feature.k);
+        corners = {with_it.corners[first], with_it.corners[last]};
+    }
+    std::optional<Reach> least;
+    for (const Feature& facet : features) {
+        if (facet.kind != Feature::Kind::facet || facet.group != feature.group) continue;
+        const auto& has = at_.surface.entries()[facet.facet].corners;
+        if (!std::ranges::all_of(corners, [&](std::size_t k) { return std::ranges::find(has, k) != has.end(); }))
+            continue;
+        const Reach reach = of_facet(facet);
+        if (!least || std::pair{reach.own_m, reach.offset_m} < std::pair{least->own_m, least->offset_m}) least = reach;
+    }
+    return *least;
+}
+
 /// The derivatives of the distance d follow from those of f = d^2/2: grad d = n and d hess d = hess f - n n^T.
-void FacetContact::add_feature(std::size_t q, const Point& x, const Feature& feature) {
+void FacetContact::add_feature(std::size_t q, const Point& x, const Feature& feature, const Reach& reach) {
     const auto& other = at_.surface.entries()[feature.facet];
     const bool itself = other.obstacle < 0;
     const double h = entry_.h_m[q], distance = feature.closest.distance_m;
     const FacetJet y = jet(at_.patches[feature.facet], feature.closest.xi);
     const Vector3 r = difference(x, y.y);
     const bool behind = is_behind(feature, at_.patches, x);
-    if (distance >= (behind ? overlap_share_of_size * entry_.size_m : h)) return;
-    double reach = h, gap = behind ? -distance : distance;
-    if (itself) {
-        const double near = h / share_of_initial_gap, bound = at_least(other.undeformed, entry_.X[q]);
-        const auto before =
-            bound > near && !behind ? ClosestPoint{bound} : undeformed_closest(other.undeformed, feature, entry_.X[q]);
-        const double initial = before.distance_m;
-        if (initial <= near && are_facing(entry_, q, other.undeformed, before)) {
-            gap += at_.surface.initial_overlap_m(entry_, q, -1);
-        } else {
-            reach = std::min(h, share_of_initial_gap * initial);
-        }
-    } else {
-        gap += at_.surface.initial_overlap_m(entry_, q, other.obstacle);
-    }
-    if (gap >= reach || reach <= 0) return;
-    const Barrier b = barrier(gap, reach);
+    if (distance >= (behind ? overlap_share_of_size * entry_.size_m : std::max(reach.own_m, reach.other_m))) return;
+    const double d = behind ? -distance : distance, gap = d + reach.offset_m, gap_other = d + reach.offset_of_other_m;
+    const bool acts = gap < reach.own_m && reach.own_m > no_gap * h,
+               other_acts = feature.is_closest && gap_other < reach.other_m && reach.other_m > no_gap * h;
+    if (!acts && !other_acts) return;
+    const Barrier b = acts ? barrier(gap, reach.own_m) : Barrier{};
     const AreaStretch& stretch = stretch_at(q);
-    const double share = itself ? 0.5 : 1.0, d = behind ? -distance : distance,
+    const double share = itself ? 0.5 : 1.0,
                  undeformed = feature.coefficient * share * entry_.weight_m2[q] * entry_.stiffness_Pa,
                  scale = undeformed * stretch.factor, by_f = distance > no_gap * h ? scale * b.slope / d : 0;
     const Vector3 n = distance > 0 ? along({}, 1 / d, r) : along({}, 1 / norm(feature.normal), feature.normal);
+    // Both sides act with half of their own pressure.
+    const double by_other_Pa = !other_acts ? 0
+                                           : pressure_on(other, at_.patches[feature.facet], feature.closest.xi,
+                                                         barrier(gap_other, reach.other_m));
+    if (feature.is_closest) note(q, other.obstacle, share, share * pressure_at(q, b), 0.5 * by_other_Pa, n);
+    if (!acts) return;
     Vector3 g{};
     std::array<Vector3, 3> H{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -262,13 +344,12 @@ void FacetContact::add_feature(std::size_t q, const Point& x, const Feature& fea
     add_function(block, weights, g, H);
     add_area_stretch(block, stretch, undeformed * b.value_m, along({}, undeformed * b.slope, n), weights);
     if (by_f != 0 && !block.hessian.empty()) add_sliding(block, weights, y, feature.closest, r, values, by_f);
-    if (feature.is_closest) note(q, other.obstacle, share, b, n);
     if (!at_.friction.is_empty())
         touches_.push_back({q, other.obstacle, g, -scale * b.curvature_1_m, feature.facet, feature.closest.xi,
-                            feature.is_closest, reach - gap});
+                            feature.is_closest, reach.own_m - gap});
 }
 
-void FacetContact::add_smooth(std::size_t q, const Point& x, const SmoothObstacle& obstacle) {
+void FacetContact::add_smooth(std::size_t q, const Point& x, const ObstacleDistance& obstacle) {
     const Distance d = obstacle.at(x, at_.shifts);
     const double h = entry_.h_m[q];
     if (!at_.rests && d.value_m >= h) return;  // at rest the clearance counts
@@ -299,7 +380,7 @@ void FacetContact::add_smooth(std::size_t q, const Point& x, const SmoothObstacl
     Block& block = block_of(key, obstacle.index, {});
     add_function(block, weights, g, H);
     add_area_stretch(block, stretch, undeformed * b.value_m, along({}, undeformed * b.slope, d.gradient), weights);
-    note(q, obstacle.index, 1, b, d.gradient);
+    note(q, obstacle.index, 1, pressure_at(q, b), 0, d.gradient);
     if (!at_.friction.is_empty() && !mirror)
         touches_.push_back({.point = q,
                             .obstacle = obstacle.index,

@@ -31,8 +31,8 @@ struct Approach {
 /// it and is less than h behind its interior: at an edge of the body, of which another side faces the facet.
 [[nodiscard]] bool has_passed_through(const Approach& from, const ClosestPoint& closest, bool faces);
 
-/// An obstacle with a smooth surface, or a mirror plane (index -1).
-struct SmoothObstacle {
+/// An obstacle, or a mirror plane (index -1).
+struct ObstacleDistance {
     int index = -1;
     std::function<Distance(const mesh::Point&)> distance;  ///< undisplaced
 
@@ -44,24 +44,27 @@ struct SmoothObstacle {
     [[nodiscard]] mesh::Point seen(const mesh::Point& x, std::span<const Vector3> shifts) const {
         return index < 0 ? x : along(x, -1, shifts[static_cast<std::size_t>(index)]);
     }
-    /// The distance at a share of the way between two positions.
-    [[nodiscard]] double on_the_way(const mesh::Point& x, const mesh::Point& to, double share,
-                                    std::span<const Vector3> shifts, std::span<const Vector3> shifts_to) const {
-        const mesh::Point from = seen(x, shifts);
-        return distance(along(from, share, difference(seen(to, shifts_to), from))).value_m;
-    }
 };
 
 /// What all facets of one evaluation share.
 struct ContactState {
     const ContactSurface& surface;
     std::span<const Patch> patches;  ///< of all entries of the surface
-    std::span<const SmoothObstacle> smooth;
+    std::span<const ObstacleDistance> smooth;
     std::span<const Vector3> shifts;
     Wanted wanted;
     Friction& friction;
     /// Leaves out facets that no point touches first. In contact they count, as the closest one decides what a point has passed through.
     bool rests = false;
+};
+
+/// A sample point and a facet act on each other where the distance plus the offset is below the reach; once with the contact distance h of
+/// the point, and once with that of the facet.
+struct Reach {
+    double own_m;              ///< h; less where they do not face each other in the undeformed state
+    double offset_m;           ///< h minus the distance there, at least 0; 0 where they do not face each other
+    double other_m;            ///< likewise of the facet; 0 for an obstacle
+    double offset_of_other_m;  ///< likewise
 };
 
 class FacetContact {
@@ -79,16 +82,27 @@ public:
     [[nodiscard]] std::vector<double> nodal_pressures_Pa() { return std::move(nodal_pressures_Pa_); }
 
 private:
-    /// Whether a sample point lies on another facet, at a common corner or edge.
+    /// Whether a sample point lies, in the undeformed state, on another facet that it does not face, as at a common corner or edge.
     [[nodiscard]] bool is_at(std::size_t q, const ContactSurface::Entry& other) const;
     void add_features(std::size_t q, const mesh::Point& x);
-    void add_features_of(std::size_t q, const mesh::Point& x, std::span<const Feature> features);
+    void add_features_of(std::size_t q, const mesh::Point& x, std::span<const std::size_t> facets);
+    /// Whether the point lies behind a facet, or in its plane, through which it has not passed.
+    [[nodiscard]] bool is_beside(std::size_t q, const mesh::Point& x, const Feature& facet) const;
     /// Whether the point has passed through the facet closest to it.
     [[nodiscard]] bool has_passed(std::size_t q, const mesh::Point& x, const Feature& closest) const;
-    void add_feature(std::size_t q, const mesh::Point& x, const Feature& feature);
-    void add_smooth(std::size_t q, const mesh::Point& x, const SmoothObstacle& obstacle);
+    void add_feature(std::size_t q, const mesh::Point& x, const Feature& feature, const Reach& reach);
+    [[nodiscard]] Reach reach_of_facet(std::size_t q, const Feature& facet) const;
+    /// Of an edge or corner: the least of its facets, of whose terms it cancels all but one.
+    [[nodiscard]] Reach reach_of(std::size_t q, const Feature& feature, std::span<const Feature> features,
+                                 std::map<std::size_t, Reach>& known) const;
+    void add_smooth(std::size_t q, const mesh::Point& x, const ObstacleDistance& obstacle);
     void add_friction(const Friction::Point& point);
-    void note(std::size_t q, int obstacle, double share, const Barrier& b, const Vector3& away);
+    /// Contact pressure per deformed area that a barrier causes at a sample point, and at a point of another facet of the actuator.
+    [[nodiscard]] double pressure_at(std::size_t q, const Barrier& b);
+    [[nodiscard]] double pressure_on(const ContactSurface::Entry& entry, const Patch& now,
+                                     const surface::FacetPoint& xi, const Barrier& b) const;
+    /// `own_Pa`, `other_Pa`: the parts of the pressure by the point and by the other facet.
+    void note(std::size_t q, int obstacle, double share, double own_Pa, double other_Pa, const Vector3& away);
     [[nodiscard]] Block& block_of(std::size_t key, int obstacle, std::span<const mesh::Index> others);
     [[nodiscard]] const AreaStretch& stretch_at(std::size_t q);
 
@@ -98,7 +112,7 @@ private:
     std::size_t facet_;
     std::span<const std::size_t> others_;
     Summary& summary_;
-    std::vector<const SmoothObstacle*> near_;
+    std::vector<const ObstacleDistance*> near_;
     std::map<std::size_t, Block> blocks_;
     std::map<std::size_t, AreaStretch> stretches_;  // of the sample points that touch
     std::vector<double> clearances_m_, nodal_pressures_Pa_;

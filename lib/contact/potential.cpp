@@ -9,6 +9,8 @@
 #include "contact/friction.hpp"
 #include "contact/rest.hpp"
 #include "contact/separation.hpp"
+#include "contact/signed_distance.hpp"
+#include "contact/sweep.hpp"
 #include "surface/free_facets.hpp"
 
 namespace soft::contact {
@@ -19,6 +21,8 @@ using mesh::Point;
 
 /// An iterate may go this deep behind a facet (fraction of its size).
 constexpr double deepest_in_sizes = 0.15, least_step_in_sizes = 0.03;
+/// And to the middle of a thin obstacle; but always by this fraction of the contact distance.
+constexpr double least_step_in_distances = 0.05;
 
 /// Largest motion of a point of a facet relative to its centre.
 double turning_m(const Patch& from, const Patch& to) {
@@ -41,13 +45,13 @@ public:
           separations_at_rest(surface.entries().size()),
           obstacles(model.obstacles.size()),
           friction(surface, coefficients(model, self)) {
-        for (std::size_t k = 0; k < obstacles; ++k)
-            std::visit(
-                [&](const auto& shape) {
-                    if constexpr (!std::is_same_v<std::decay_t<decltype(shape)>, model::FacetedSurface>)
-                        smooth.push_back({static_cast<int>(k), [shape](const Point& x) { return distance(shape, x); }});
-                },
-                model.obstacles[k].shape);
+        for (std::size_t k = 0; k < obstacles; ++k) {
+            const bool is_faceted = std::holds_alternative<model::FacetedSurface>(model.obstacles[k].shape);
+            has_thin_obstacles =
+                has_thin_obstacles || is_faceted || std::holds_alternative<model::Box>(model.obstacles[k].shape);
+            (is_faceted ? faceted : smooth)
+                .push_back({static_cast<int>(k), distance_with_gradient(model.obstacles[k])});
+        }
         const auto mirrors = surface::mirrors(model);
         for (std::size_t d = 0; self && d < 3; ++d) {
             if (!mirrors[d]) continue;
@@ -89,31 +93,52 @@ public:
         return facet.nodal_pressures_Pa();
     }
 
-    [[nodiscard]] double share_without_crossing(std::span<const Patch> from, std::span<const Vector3> shifts,
-                                                std::span<const Patch> to, std::span<const Vector3> shifts_to);
+    /// Two configurations.
+    struct Motion {
+        std::span<const Patch> from;
+        std::span<const Vector3> shifts;
+        std::span<const Patch> to;
+        std::span<const Vector3> shifts_to;
+    };
+    [[nodiscard]] double share_without_crossing(const Motion& motion);
+    [[nodiscard]] bool passes_through(const Motion& motion) const;
+    /// The obstacles that a facet may meet on its way.
+    [[nodiscard]] std::vector<const ObstacleDistance*> obstacles_near(std::size_t facet, const Motion& motion) const;
 
     ContactSurface surface;
     bool self;
     Candidates candidates;
     Separations separations, separations_at_rest;
     std::size_t obstacles;
-    std::vector<SmoothObstacle> smooth;
+    bool has_thin_obstacles = false;                // maybe
+    std::vector<ObstacleDistance> smooth, faceted;  // the mirror planes are smooth
     Friction friction;
     double clearance_m = 0;    // the least of the pairs and obstacles of an evaluation
     std::optional<Rest> rest;  // what touches() knows
 };
 
-double Potential::Parts::share_without_crossing(std::span<const Patch> from, std::span<const Vector3> shifts,
-                                                std::span<const Patch> to, std::span<const Vector3> shifts_to) {
+std::vector<const ObstacleDistance*> Potential::Parts::obstacles_near(std::size_t facet, const Motion& motion) const {
+    const Patch &from = motion.from[facet], &to = motion.to[facet];
+    std::vector<const ObstacleDistance*> near;
+    for (const auto* list : {&smooth, &faceted})
+        for (const ObstacleDistance& obstacle : *list) {
+            const Point before = obstacle.seen(from.centre, motion.shifts),
+                        after = obstacle.seen(to.centre, motion.shifts_to);
+            const double least = 0.5 * (obstacle.distance(before).value_m + obstacle.distance(after).value_m -
+                                        norm(difference(after, before)));
+            if (least < std::max(from.radius_m, to.radius_m)) near.push_back(&obstacle);
+        }
+    return near;
+}
+
+double Potential::Parts::share_without_crossing(const Motion& motion) {
+    const auto& [from, shifts, to, shifts_to] = motion;
     const auto others = candidates.between(from, to);
     double share = 1;
     const auto limit = [&](double distance, double approach, double size) {
         if (approach > distance + deepest_in_sizes * size)
             share =
                 std::min(share, std::max(distance + deepest_in_sizes * size, least_step_in_sizes * size) / approach);
-    };
-    const auto way_m = [&](const SmoothObstacle& obstacle, const Point& x, const Point& next) {
-        return norm(difference(obstacle.seen(next, shifts_to), obstacle.seen(x, shifts)));
     };
     const auto size_of = [&](std::size_t i, std::size_t j) {
         const auto &entry = surface.entries()[i], &other = surface.entries()[j];
@@ -126,14 +151,8 @@ double Potential::Parts::share_without_crossing(std::span<const Patch> from, std
             if (separations.clearance_m(i, j, to) <= 0) near.push_back(j);
         std::vector<double> turning;
         for (const std::size_t j : near) turning.push_back(turning_m(from[j], to[j]));
-        std::vector<const SmoothObstacle*> near_smooth;
-        for (const SmoothObstacle& obstacle : smooth) {
-            const double least =
-                0.5 * (obstacle.at(from[i].centre, shifts).value_m + obstacle.at(to[i].centre, shifts_to).value_m -
-                       way_m(obstacle, from[i].centre, to[i].centre));
-            if (least < std::max(from[i].radius_m, to[i].radius_m)) near_smooth.push_back(&obstacle);
-        }
-        if (near.empty() && near_smooth.empty()) continue;
+        const auto near_obstacles = obstacles_near(i, motion);
+        if (near.empty() && near_obstacles.empty()) continue;
         for (std::size_t q = 0; q < entry.X.size(); ++q) {
             const Point x = from[i](entry.rule->xi[q]).x, next = to[i](entry.rule->xi[q]).x;
             for (std::size_t k = 0; k < near.size(); ++k) {
@@ -155,23 +174,41 @@ double Potential::Parts::share_without_crossing(std::span<const Patch> from, std
                 const Vector3 relative = difference(difference(next, x), difference(to[j](closest.xi).x, y.x));
                 limit(behind * closest.distance_m, -behind * dot(relative, r) / closest.distance_m, size_of(i, j));
             }
-            for (const SmoothObstacle* obstacle : near_smooth) {
-                const double before = obstacle->at(x, shifts).value_m, after = obstacle->at(next, shifts_to).value_m;
-                if (after < 0) limit(before, before - after, entry.size_m);
-                const double way = way_m(*obstacle, x, next);
-                if (before <= 0 || after < 0 || before + after >= way) continue;
-                // The point may pass through an obstacle that is thinner than its way.
-                constexpr int samples = 32;
-                for (int k = 1; k < samples; ++k) {
-                    const double at = static_cast<double>(k) / samples;
-                    if (obstacle->on_the_way(x, next, at, shifts, shifts_to) >= 0) continue;
-                    share = std::min(share, std::max(at, least_step_in_sizes * entry.size_m / way));
-                    break;
-                }
+            for (const ObstacleDistance* obstacle : near_obstacles) {
+                const Point seen = obstacle->seen(x, shifts), seen_next = obstacle->seen(next, shifts_to);
+                const double before = obstacle->distance(seen).value_m, after = obstacle->distance(seen_next).value_m,
+                             way = norm(difference(seen_next, seen));
+                if (before + after >= way) continue;
+                // The point may pass through an obstacle that is thinner than its way; not through a mirror plane.
+                const Sweep past = obstacle->index < 0 ? Sweep{} : sweep(obstacle->distance, seen, seen_next);
+                if (after < 0 && !past.to_other_side) limit(before, before - after, entry.size_m);
+                const double least = least_step_in_distances * entry.h_m[q];
+                const bool passes = past.leaves && before > 0 && past.deepest_m > least;
+                if (!passes && !past.to_other_side) continue;
+                const double into_it =
+                    std::min(least_step_in_sizes * entry.size_m, 0.5 * (past.deepest_m + std::min(before, 0.0)));
+                share = std::min(share, past.entry + std::max(into_it, least) / way);
             }
         }
     }
     return share;
+}
+
+bool Potential::Parts::passes_through(const Motion& motion) const {
+    for (std::size_t i = 0; i < surface.free_count(); ++i) {
+        const auto& entry = surface.entries()[i];
+        for (const ObstacleDistance* obstacle : obstacles_near(i, motion))
+            for (const surface::FacetPoint& xi :
+                 obstacle->index < 0 ? std::vector<surface::FacetPoint>{} : entry.rule->xi) {
+                const Point from = obstacle->seen(motion.from[i](xi).x, motion.shifts),
+                            to = obstacle->seen(motion.to[i](xi).x, motion.shifts_to);
+                const Distance before = obstacle->distance(from), after = obstacle->distance(to);
+                if (before.value_m + after.value_m < norm(difference(to, from)) &&
+                    are_opposite(before.gradient, after.gradient) && sweep(obstacle->distance, from, to).to_other_side)
+                    return true;
+            }
+    }
+    return false;
 }
 
 Potential::Potential(const model::Case& model, std::span<const double> modulus_Pa)
@@ -190,8 +227,10 @@ double Potential::distance_m() const { return parts_->surface.distance_m(); }
 double Potential::harmless_step_m() const {
     double smallest = std::numeric_limits<double>::max();
     for (const auto& entry : parts_->surface.entries().first(parts_->surface.free_count()))
-        smallest = std::min(smallest, entry.size_m);
-    return deepest_in_sizes * smallest;
+        smallest = std::min(
+            {smallest, deepest_in_sizes * entry.size_m,
+             parts_->has_thin_obstacles ? *std::ranges::min_element(entry.h_m) : std::numeric_limits<double>::max()});
+    return smallest;
 }
 std::span<const mesh::Index> Potential::nodes() const { return parts_->surface.nodes(); }
 
@@ -275,8 +314,14 @@ FrictionState Potential::friction_state(std::span<const Point> positions, std::s
 
 double Potential::share_without_crossing(std::span<const Point> from, std::span<const Vector3> shifts,
                                          std::span<const Point> to, std::span<const Vector3> shifts_to) {
-    return parts_->share_without_crossing(parts_->surface.patches(from, shifts), shifts,
-                                          parts_->surface.patches(to, shifts_to), shifts_to);
+    return parts_->share_without_crossing(
+        {parts_->surface.patches(from, shifts), shifts, parts_->surface.patches(to, shifts_to), shifts_to});
+}
+
+bool Potential::passes_through(std::span<const Point> from, std::span<const Vector3> shifts, std::span<const Point> to,
+                               std::span<const Vector3> shifts_to) const {
+    return parts_->passes_through(
+        {parts_->surface.patches(from, shifts), shifts, parts_->surface.patches(to, shifts_to), shifts_to});
 }
 
 std::vector<std::array<mesh::Facet, 2>> Potential::near_pairs(std::span<const Point> positions,

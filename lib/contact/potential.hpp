@@ -98,6 +98,10 @@ public:
     [[nodiscard]] double share_without_crossing(std::span<const mesh::Point> from, std::span<const Vector3> shifts,
                                                 std::span<const mesh::Point> to, std::span<const Vector3> shifts_to);
 
+    /// Whether a sample point, on the straight way from one configuration to the other, passes through an obstacle, to another side of it.
+    [[nodiscard]] bool passes_through(std::span<const mesh::Point> from, std::span<const Vector3> shifts,
+                                      std::span<const mesh::Point> to, std::span<const Vector3> shifts_to) const;
+
     /// Pairs of facets of the actuator that are in contact or within `share` of their size of it.
     [[nodiscard]] std::vector<std::array<mesh::Facet, 2>> near_pairs(std::span<const mesh::Point> positions,
                                                                      std::span<const Vector3> shifts, double share);

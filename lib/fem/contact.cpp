@@ -148,28 +148,39 @@ std::vector<double> Contact::friction_start() const {
     return values;
 }
 
-double Contact::share_without_crossing(Vec from, const LoadLevels& levels, Vec to, const LoadLevels& levels_to) {
-    if (rests_ || potential_.is_empty()) return 1;
+Contact::Motion Contact::motion(Vec from, const LoadLevels& levels, Vec to, const LoadLevels& levels_to) {
     state_.prescribe(levels);
     state_.read(from);
     read_positions();
-    const auto positions = positions_;
-    const auto shifts = shifts_;
+    Motion motion{positions_, shifts_};
     state_.prescribe(levels_to);
     state_.read(to);
     read_positions();
     double largest = std::numeric_limits<double>::min();
     for (const auto node : potential_.nodes()) {
         const auto n = static_cast<std::size_t>(node);
-        largest = std::max(largest, norm(difference(positions_[n], positions[n])));
+        largest = std::max(largest, norm(difference(positions_[n], motion.positions[n])));
     }
-    for (std::size_t k = 0; k < shifts.size(); ++k)
-        largest = std::max(largest, norm(difference(shifts_[k], shifts[k])));
-    double share = 2 * largest < potential_.harmless_step_m()
-                       ? 1
-                       : potential_.share_without_crossing(positions, shifts, positions_, shifts_);
+    for (std::size_t k = 0; k < shifts_.size(); ++k)
+        largest = std::max(largest, norm(difference(shifts_[k], motion.shifts[k])));
+    motion.is_harmless = 2 * largest < potential_.harmless_step_m();
+    return motion;
+}
+
+double Contact::share_without_crossing(Vec from, const LoadLevels& levels, Vec to, const LoadLevels& levels_to) {
+    if (rests_ || potential_.is_empty()) return 1;
+    const Motion of = motion(from, levels, to, levels_to);
+    double share = of.is_harmless ? 1 : potential_.share_without_crossing(of.positions, of.shifts, positions_, shifts_);
     MPI_Allreduce(MPI_IN_PLACE, &share, 1, MPI_DOUBLE, MPI_MIN, fe_.comm);
     return share;
+}
+
+bool Contact::passes_through_obstacle(Vec from, const LoadLevels& levels, Vec to, const LoadLevels& levels_to) {
+    if (fe_.input.obstacles.empty() || potential_.is_empty()) return false;
+    const Motion of = motion(from, levels, to, levels_to);
+    int passes = potential_.passes_through(of.positions, of.shifts, positions_, shifts_) ? 1 : 0;
+    MPI_Allreduce(MPI_IN_PLACE, &passes, 1, MPI_INT, MPI_MAX, fe_.comm);
+    return passes == 1;
 }
 
 void Contact::couple(Vec x) {

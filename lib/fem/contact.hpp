@@ -45,6 +45,9 @@ public:
     /// See contact::Potential; the same on every rank. Prescribes the levels of the end. Collective.
     [[nodiscard]] double share_without_crossing(Vec from, const LoadLevels& levels, Vec to,
                                                 const LoadLevels& levels_to);
+    /// Whether a sample point passes through an obstacle between two states (contact::Potential), also while contact rests. Collective;
+    /// prescribes the levels of the end.
+    [[nodiscard]] bool passes_through_obstacle(Vec from, const LoadLevels& levels, Vec to, const LoadLevels& levels_to);
 
     /// Unknowns of pairs of facets whose blocks the pattern of a matrix must contain.
     [[nodiscard]] const std::vector<std::vector<PetscInt>>& couplings() const noexcept { return couplings_; }
@@ -57,6 +60,14 @@ private:
     [[nodiscard]] bool is_own(mesh::Index cell) const {
         return fe_.dofs.cell_rank[static_cast<std::size_t>(cell)] == fe_.rank;
     }
+
+    /// From a configuration to the one in positions_ and shifts_.
+    struct Motion {
+        std::vector<mesh::Point> positions;
+        std::vector<Vector3> shifts;
+        bool is_harmless = false;
+    };
+    [[nodiscard]] Motion motion(Vec from, const LoadLevels& levels, Vec to, const LoadLevels& levels_to);
 
     const Discretization& fe_;
     LocalState& state_;

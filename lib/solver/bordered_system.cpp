@@ -167,6 +167,11 @@ double BorderedSystem::share_without_crossing(const State& from, const State& to
                                                    loads_->levels(to.load_factor, to.pressures_Pa));
 }
 
+bool BorderedSystem::passes_through_obstacle(const State& from, const State& to) {
+    return system.contact().passes_through_obstacle(from.x, loads_->levels(from.load_factor, from.pressures_Pa), to.x,
+                                                    loads_->levels(to.load_factor, to.pressures_Pa));
+}
+
 /// A finite-difference tangent evaluates the system at other states afterwards.
 bool BorderedSystem::is_assembled_at(const State& state) const {
     if (!assembled_at_ || differences_ || state.load_factor != assembled_at_->load_factor ||

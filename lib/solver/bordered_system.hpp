@@ -13,7 +13,7 @@
 namespace soft::solver {
 
 /// not_definite: CHOLMOD found a pivot that is not positive. linear_solver: the linear systems are not solved to the required
-/// tolerance, and therefore no equilibrium is found.
+/// tolerance, and therefore no equilibrium is found. passes_through: the actuator would be on the other side of an obstacle.
 enum class NewtonEnd {
     converged,
     inverted,
@@ -22,7 +22,8 @@ enum class NewtonEnd {
     singular,
     not_definite,
     linear_solver,
-    not_finite
+    not_finite,
+    passes_through
 };
 /// A clause for messages about the failure.
 [[nodiscard]] std::string_view text_of(NewtonEnd end);
@@ -52,6 +53,8 @@ public:
 
     /// The share of the way between two states before walls pass through each other or an obstacle (contact/potential.hpp).
     [[nodiscard]] double share_without_crossing(const State& from, const State& to);
+    /// Whether the actuator passes through an obstacle on the straight way between two states.
+    [[nodiscard]] bool passes_through_obstacle(const State& from, const State& to);
     /// Gives K the pattern of the contact at a state of the path: what follows does not depend on the states tried before it.
     void couple_contact(const State& state);
 

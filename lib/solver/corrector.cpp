@@ -32,6 +32,10 @@ std::optional<PathPoint> Corrector::solve_at(const Frame& frame, const Constrain
     }
     system_.contact().set_resting(contact == WithContact::no);
     auto point = solve_from(frame, constraint, target, std::move(guess));
+    if (point && contact != WithContact::no && newton_.passes_through_obstacle(frame.last.state, point->state)) {
+        last_result_.end = NewtonEnd::passes_through;
+        point.reset();
+    }
     if (!point && system_.contact().has_friction()) system_.contact().set_resting(false);
     return point;
 }
@@ -40,7 +44,8 @@ bool Corrector::wake_contact_if_met(const Frame& frame, const PathPoint& point) 
     system_.contact().set_resting(false);
     // A step may be longer than an obstacle is thick.
     const bool meets = point.touches || (!input().obstacles.empty() &&
-                                         newton_.share_without_crossing(frame.last.state, point.state) < 1.0);
+                                         (newton_.share_without_crossing(frame.last.state, point.state) < 1.0 ||
+                                          newton_.passes_through_obstacle(frame.last.state, point.state)));
     system_.contact().set_resting(!meets && !system_.contact().has_friction());
     return meets;
 }

@@ -35,6 +35,7 @@ public:
 
     /// With contact `if_met`, a path that touches nothing is solved without it, so that it costs nothing and does not change the iterates,
     /// and again with it where something touches. After `no`, contact rests until the next solve or wake_contact_if_met().
+    /// nullopt also where the actuator would be on another side of an obstacle than at the frame's last state.
     [[nodiscard]] std::optional<PathPoint> solve_at(const Frame& frame, const Constraint& constraint, double target,
                                                     State guess, WithContact contact = WithContact::if_met);
     /// The state at q between two points of the path.

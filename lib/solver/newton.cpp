@@ -42,6 +42,7 @@ std::string_view text_of(NewtonEnd end) {
         case NewtonEnd::not_definite: return "the tangent is not positive definite, which cholmod requires";
         case NewtonEnd::linear_solver: return "the linear solver does not converge";
         case NewtonEnd::not_finite: return "the residual is not finite";
+        case NewtonEnd::passes_through: return "it would pass through an obstacle";
     }
     return "";
 }

@@ -125,6 +125,9 @@ public:
     [[nodiscard]] double share_without_crossing(const State& from, const State& to) {
         return bordered_.share_without_crossing(from, to);
     }
+    [[nodiscard]] bool passes_through_obstacle(const State& from, const State& to) {
+        return bordered_.passes_through_obstacle(from, to);
+    }
     void couple_contact(const State& state) { bordered_.couple_contact(state); }
     void forget_assembly() { bordered_.forget_assembly(); }
     void set_drag(double drag, Vec origin) { bordered_.set_drag(drag, origin); }

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "../fem/block_mesh.hpp"
 #include "contact/potential.hpp"
@@ -9,29 +11,98 @@
 namespace soft::contact {
 namespace {
 
-/// A step through an obstacle that is thinner than the step ends where it enters; beside it, and along it, nothing is shortened.
-TEST(ThinObstacle, IsNotJumpedOver) {
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A board in front of the block [0, 1] x [0, 1], between x = 2 and 2 + thickness and from y = -1 to `end`.
+std::vector<model::Obstacle> boards(double thickness, double end = 2) {
+    const double back = 2 + thickness;
+    return {{"box", model::Box{{2, -1, -infinity}, {back, end, infinity}, 0.01 * thickness}},
+            {"profile", model::FacetedSurface{{{2, -1, 0}, {back, -1, 0}, {back, end, 0}, {2, end, 0}},
+                                              {{0, 1, -1}, {1, 2, -1}, {2, 3, -1}, {3, 0, -1}}}}};
+}
+
+model::Case block_before(const model::Obstacle& obstacle) {
     model::Case model =
         block_case(mesh::CellType::quad9, model::Kinematics::plane_strain, model::Formulation::displacement, {.n = 2});
     model.mesh.region_names = {"rubber"};
     model.mesh.cell_regions.assign(model.mesh.cell_types.size(), 0);
     model.path.contact = model::Contact::solve;
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    model.obstacles.push_back({"board", model::Box{{2, -1, -infinity}, {2.1, 2, infinity}, 0.01}});
-    Potential potential(model, std::array{1e5});
-    const auto share = [&](double way, double beside) {
-        auto positions = model.mesh.points, next = positions;
-        for (std::size_t n = 0; n < positions.size(); ++n) {
-            positions[n][1] += beside;
-            next[n][0] += way;
-            next[n][1] += beside;
+    model.obstacles.push_back(obstacle);
+    return model;
+}
+
+std::vector<mesh::Point> moved(const model::Case& model, double way, double beside) {
+    auto positions = model.mesh.points;
+    for (mesh::Point& x : positions) {
+        x[0] += way;
+        x[1] += beside;
+    }
+    return positions;
+}
+
+/// A step through an obstacle that is thinner than the step ends where it enters; beside it, and along it, nothing is shortened.
+TEST(ThinObstacle, IsNotJumpedOver) {
+    for (const double thickness : {0.1, 0.01, 0.001})
+        for (const model::Obstacle& obstacle : boards(thickness)) {
+            const model::Case model = block_before(obstacle);
+            Potential potential(model, std::array{1e5});
+            const std::vector<Vector3> shifts(1);
+            const auto share = [&](double from, double to, double beside) {
+                return potential.share_without_crossing(moved(model, from, beside), shifts, moved(model, to, beside),
+                                                        shifts);
+            };
+            const auto passes = [&](double from, double to, double beside) {
+                return potential.passes_through(moved(model, from, beside), shifts, moved(model, to, beside), shifts);
+            };
+            EXPECT_NEAR(share(0, 4, 0), 0.25, 0.01) << obstacle.name << thickness;  // from x = 1 to the board
+            EXPECT_LT(share(0.999, 1 + thickness, 0), 1) << obstacle.name << thickness;
+            EXPECT_EQ(share(0, 0.9, 0), 1);
+            EXPECT_EQ(share(0, 4, 10), 1);
+            EXPECT_TRUE(passes(0, 4, 0)) << obstacle.name << thickness;
+            EXPECT_TRUE(passes(4, 0, 0)) << obstacle.name << thickness;
+            EXPECT_FALSE(passes(0, 0.999, 0));
+            EXPECT_FALSE(passes(0, 4, 10));
+            EXPECT_TRUE(passes(1, 1 + 1.5 * thickness, 0)) << obstacle.name << thickness;  // they touch
+            EXPECT_FALSE(passes(1, 0.9, 0)) << obstacle.name << thickness;
+            EXPECT_FALSE(passes(1, 1, 0.3)) << obstacle.name << thickness;
+            // The same where the board moves.
+            EXPECT_TRUE(potential.passes_through(model.mesh.points, shifts, model.mesh.points, {{{-4, 0, 0}}}));
         }
-        const std::vector<Vector3> shifts(1);
-        return potential.share_without_crossing(positions, shifts, next, shifts);
-    };
-    EXPECT_NEAR(share(4, 0), 0.25, 1.0 / 32);  // from x = 1 to the board
-    EXPECT_EQ(share(0.9, 0), 1);
-    EXPECT_EQ(share(4, 10), 1);
+}
+
+/// A face that is draped over an edge of 60 degrees slides over it.
+TEST(SharpObstacle, IsNotPassedThroughByWhatSlidesOverItsEdge) {
+    const double half = std::tan(std::numbers::pi / 6);
+    const model::Case model =
+        block_before({"wedge", model::FacetedSurface{{{2, 0.5, 0}, {3, 0.5 - half, 0}, {3, 0.5 + half, 0}},
+                                                     {{0, 1, -1}, {1, 2, -1}, {2, 0, -1}}}});
+    const Potential potential(model, std::array{1e5});
+    const std::vector<Vector3> shifts(1);
+    const double depth = 0.1 * potential.distance_m();
+    for (const double way : {0.001, 0.01, 0.1})
+        EXPECT_FALSE(
+            potential.passes_through(moved(model, 1 + depth, -way), shifts, moved(model, 1 + depth, way), shifts));
+}
+
+/// The back of a thin obstacle does not act on what is in front of it, or has gone less than half of its thickness into it.
+TEST(ThinObstacle, ActsAsAThickOne) {
+    for (std::size_t kind : {0U, 1U})
+        for (const double thickness : {0.1, 0.02, 0.008})
+            for (const auto& [way, end] :
+                 {std::pair{0.995, 2.0}, {0.9995, 2.0}, {1.003, 2.0}, {0.995, 1.03}, {1.003, 1.03}}) {
+                if (kind == 0 && end < 2) continue;  // the edges of a box are rounded by its thickness
+                const auto at = [&, end = end, way = way](double board) {
+                    const model::Case model = block_before(boards(board, end)[kind]);
+                    Potential potential(model, std::array{1e5});
+                    return potential.evaluate(
+                        moved(model, way, 0), std::vector<Vector3>(1), Wanted::gradient,
+                        [](mesh::Index) { return true; }, [](const Block&) {});
+                };
+                const Summary thin = at(thickness), thick = at(1);
+                EXPECT_GT(thin.energy_J, 0);
+                EXPECT_NEAR(thin.energy_J, thick.energy_J, 1e-9 * thick.energy_J) << kind << ' ' << thickness;
+                EXPECT_NEAR(thin.max_pressure_Pa, thick.max_pressure_Pa, 1e-9 * thick.max_pressure_Pa);
+            }
 }
 
 /// A point that is pressed onto the axis of revolution is pushed away, the harder the nearer: its area vanishes there, its resistance must not.
