@@ -118,3 +118,30 @@ claim "a prescribed volume is reached in contact" within "$(column volume_mL vol
 runs "$bellows --set loads.cavity.pressure=5kPa -o case.h5 && solve -q case.h5 | postprocess -q --at pressure=1.5kPa,2kPa -o at.csv"
 runs "$free --set solver.step_accuracy=1e-6 | solve -q | postprocess -q --at pressure=1.5kPa,2kPa -o smooth.csv"
 claim "values before a first contact are those of the free bellows" near <(cut -d, -f2,3 at.csv) <(cut -d, -f2,3 smooth.csv) 1e-3
+# A post of 2 mm on its way past the tip of a rod, which it overlaps by 0.3 mm: facets of 5 mm act at 0.1 mm.
+cat >pin.yaml <<'END'
+family: rod
+geometry: {length: 50 mm, height: 10 mm, width: 10 mm}
+mesh: {size: 5 mm}
+model: half
+material: {law: neo-hookean, mu: 0.1644 MPa, kappa: incompressible}
+supports: {fixed: fixed}
+obstacles: {post: {cylinder: {point: [51.7 mm, 0 mm, -22 mm], axis: [0, 1, 0], radius: 2 mm}}}
+loads: {post: {displacement: 50 mm, along: z}}
+outputs:
+  way: {obstacle: post, measure: displacement, along: z}
+  rise: {face: end, along: z}
+END
+runs 'mesh-gen -q pin.yaml | solve -q --set path.until.steps=20 --json pin.json -o pin.h5'
+claim "a post does not pass a rod between two rows: it meets it where its circle does" within "$(json pin.json events 0 way_m)" 0.020766 0.020768
+# The sleeve of a ring, drawn as thin as a sheet: sqrt(15^2 - 12.5^2 + 10^2) - 10 mm less the gap.
+cat >shell.csv <<'END'
+x_mm,y_mm,tag,curve,via_x_mm,via_y_mm,loop
+15.05,0,a,arc,0,15.05,1
+-15.05,0,a,arc,0,-15.05,1
+15,0,h,arc,0,-15,2
+-15,0,h,arc,0,15,2
+END
+runs "mesh-gen -q designs/verification/contact-sleeve.yaml --set 'obstacles={sleeve: {profile: shell.csv}}' | solve -q | postprocess -q -o held.csv"
+claim "a shell of 0.05 mm holds a ring" within "$(column bore_mm held.csv | tail -n 1)" 2.975 2.991
+claim "... which presses on all of it, 2 pi 15 mm per 1 m" within "$(column touching_mm2 held.csv | tail -n 1)" 94000 94500
