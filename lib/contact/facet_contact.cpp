@@ -16,7 +16,6 @@ constexpr double least_compression = 0.2;
 constexpr double off_the_plane = 0.1;
 /// Cosine below which a point behind a facet that is closest to its boundary lies beside it.
 constexpr double beside = 0.5;
-constexpr double share_of_initial_gap = 0.1;
 /// Two points of the undeformed body this close (fraction of the facet's size) are the same.
 constexpr double same_point = 1e-9;
 /// Fraction of h: below it the curvature of the distance is lost in rounding, and a reach below it does not act.
@@ -53,13 +52,6 @@ bool has_passed_through(const Approach& from, const ClosestPoint& closest, bool 
 }
 
 namespace {
-
-/// Contact distance of the sample point next to xi.
-double distance_at(const ContactSurface::Entry& entry, const surface::FacetPoint& xi) {
-    const auto away = [&](const surface::FacetPoint& at) { return std::hypot(at[0] - xi[0], at[1] - xi[1]); };
-    const auto next = std::ranges::min_element(entry.rule->xi, {}, away);
-    return entry.h_m[static_cast<std::size_t>(next - entry.rule->xi.begin())];
-}
 
 /// Mean over the sample points of a facet at its node a, weighted with the square of the node's shape function.
 double nodal_mean(const ContactSurface::Entry& entry, std::size_t a, std::span<const double> at_points) {
@@ -249,53 +241,13 @@ void FacetContact::add_features_of(std::size_t q, const Point& x, std::span<cons
             dot(feature.normal, nearest->normal) < 0)
             std::erase(others, feature.facet);
     if (others.size() < facets.size()) return add_features_of(q, x, others);
-    std::map<std::size_t, Reach> reaches;
+    Reaches reaches(at_.surface, entry_, q, features);
     for (const Feature& feature : features) {
         const double farthest = std::max(at_.surface.entries()[feature.facet].distance_m,
                                          std::max(entry_.h_m[q], overlap_share_of_size * entry_.size_m));
         if (feature.closest.distance_m < farthest && (passed[feature.group] || !is_behind(feature, at_.patches, x)))
-            add_feature(q, x, feature, reach_of(q, feature, features, reaches));
+            add_feature(q, x, feature, reaches.of(feature));
     }
-}
-
-Reach FacetContact::reach_of_facet(std::size_t q, const Feature& facet) const {
-    const auto& other = at_.surface.entries()[facet.facet];
-    const double h = entry_.h_m[q];
-    if (other.obstacle >= 0) return {h, at_.surface.initial_overlap_m(entry_, q, other.obstacle), 0, 0};
-    const double h_other = distance_at(other, facet.closest.xi),
-                 near = std::max(h, other.distance_m) / share_of_initial_gap,
-                 bound = at_least(other.undeformed, entry_.X[q]);
-    const ClosestPoint before = bound > near ? ClosestPoint{bound} : closest_point(other.undeformed, entry_.X[q]);
-    const double initial = before.distance_m;
-    if (initial <= near && are_facing(entry_, q, other.undeformed, before))
-        return {h, at_.surface.initial_overlap_m(entry_, q, -1), h_other, std::max(h_other - initial, 0.0)};
-    return {std::min(h, share_of_initial_gap * initial), 0, std::min(h_other, share_of_initial_gap * initial), 0};
-}
-
-Reach FacetContact::reach_of(std::size_t q, const Feature& feature, std::span<const Feature> features,
-                             std::map<std::size_t, Reach>& known) const {
-    const auto of_facet = [&](const Feature& facet) {
-        const auto found = known.find(facet.facet);
-        return found != known.end() ? found->second
-                                    : known.emplace(facet.facet, reach_of_facet(q, facet)).first->second;
-    };
-    if (feature.kind == Feature::Kind::facet) return of_facet(feature);
-    const auto& with_it = at_.surface.entries()[feature.facet];
-    std::vector<std::size_t> corners{with_it.corners[feature.k]};
-    if (feature.kind == Feature::Kind::edge) {
-        const auto [first, last] = edge_corners(with_it.undeformed.type, feature.k);
-        corners = {with_it.corners[first], with_it.corners[last]};
-    }
-    std::optional<Reach> least;
-    for (const Feature& facet : features) {
-        if (facet.kind != Feature::Kind::facet || facet.group != feature.group) continue;
-        const auto& has = at_.surface.entries()[facet.facet].corners;
-        if (!std::ranges::all_of(corners, [&](std::size_t k) { return std::ranges::find(has, k) != has.end(); }))
-            continue;
-        const Reach reach = of_facet(facet);
-        if (!least || std::pair{reach.own_m, reach.offset_m} < std::pair{least->own_m, least->offset_m}) least = reach;
-    }
-    return *least;
 }
 
 /// The derivatives of the distance d follow from those of f = d^2/2: grad d = n and d hess d = hess f - n n^T.

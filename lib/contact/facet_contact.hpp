@@ -11,6 +11,7 @@
 #include "contact/features.hpp"
 #include "contact/friction.hpp"
 #include "contact/potential.hpp"
+#include "contact/reach.hpp"
 
 namespace soft::contact {
 
@@ -58,15 +59,6 @@ struct ContactState {
     bool rests = false;
 };
 
-/// A sample point and a facet act on each other where the distance plus the offset is below the reach; once with the contact distance h of
-/// the point, and once with that of the facet.
-struct Reach {
-    double own_m;              ///< h; less where they do not face each other in the undeformed state
-    double offset_m;           ///< h minus the distance there, at least 0; 0 where they do not face each other
-    double other_m;            ///< likewise of the facet; 0 for an obstacle
-    double offset_of_other_m;  ///< likewise
-};
-
 class FacetContact {
 public:
     /// `others`: entries of the surface near this one.
@@ -91,10 +83,6 @@ private:
     /// Whether the point has passed through the facet closest to it.
     [[nodiscard]] bool has_passed(std::size_t q, const mesh::Point& x, const Feature& closest) const;
     void add_feature(std::size_t q, const mesh::Point& x, const Feature& feature, const Reach& reach);
-    [[nodiscard]] Reach reach_of_facet(std::size_t q, const Feature& facet) const;
-    /// Of an edge or corner: the least of its facets, of whose terms it cancels all but one.
-    [[nodiscard]] Reach reach_of(std::size_t q, const Feature& feature, std::span<const Feature> features,
-                                 std::map<std::size_t, Reach>& known) const;
     void add_smooth(std::size_t q, const mesh::Point& x, const ObstacleDistance& obstacle);
     void add_friction(const Friction::Point& point);
     /// Contact pressure per deformed area that a barrier causes at a sample point, and at a point of another facet of the actuator.

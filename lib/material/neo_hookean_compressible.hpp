@@ -19,8 +19,11 @@ struct NeoHookeanCompressible {
         return 0.5 * mu_Pa * (I.I1 - 3.0 - 2.0 * log(J));
     }
     [[nodiscard]] double initial_shear_modulus_Pa() const { return mu_Pa; }
-    /// Factor of Theta^2/2 for the initial bulk modulus kappa.
-    [[nodiscard]] double dilatation_modulus_Pa(double kappa_Pa) const { return kappa_Pa - 2.0 * mu_Pa / 3.0; }
+    /// Factor of Theta^2/2 for the initial bulk modulus kappa; 0 where it is lost in rounding: the mixed form divides by it.
+    [[nodiscard]] double dilatation_modulus_Pa(double kappa_Pa) const {
+        const double lambda_Pa = kappa_Pa - 2.0 * mu_Pa / 3.0;
+        return lambda_Pa > 1e-8 * mu_Pa ? lambda_Pa : 0.0;
+    }
 
     static LawInfo info() {
         return {.name = "neo-hookean-compressible",

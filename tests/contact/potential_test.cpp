@@ -7,50 +7,10 @@
 #include "contact/area.hpp"
 #include "contact/barrier.hpp"
 #include "contact/potential.hpp"
-#include "contact_samples.hpp"
+#include "potential_samples.hpp"
 
 namespace soft::contact {
 namespace {
-
-using mesh::Point;
-using test::Cells;
-
-constexpr double modulus_Pa = 1e5;
-
-/// Energy, and its derivatives by [node x 3] and then [obstacle x 3].
-struct Derivatives {
-    Summary summary;
-    std::vector<double> gradient, hessian;
-};
-
-Derivatives derivatives(Potential& potential, const std::vector<Point>& positions, const std::vector<Vector3>& shifts,
-                        Wanted wanted = Wanted::gradient) {
-    const std::size_t size = 3 * (positions.size() + shifts.size());
-    Derivatives sum{Summary(shifts.size()), std::vector<double>(size),
-                    std::vector<double>(wanted == Wanted::hessian ? size * size : 0)};
-    sum.summary = potential.evaluate(
-        positions, shifts, wanted, [](mesh::Index) { return true; },
-        [&](const Block& block) {
-            std::vector<std::size_t> at;
-            for (std::size_t i = 0; i < block.dimension; ++i) {
-                for (const auto node : block.nodes) at.push_back(3 * static_cast<std::size_t>(node) + i);
-                if (block.obstacle >= 0)
-                    at.push_back(3 * (positions.size() + static_cast<std::size_t>(block.obstacle)) + i);
-            }
-            ASSERT_EQ(block.gradient.size(), at.size());
-            for (std::size_t p = 0; p < at.size(); ++p) {
-                sum.gradient[at[p]] += block.gradient[p];
-                for (std::size_t q = 0; q < at.size() && wanted == Wanted::hessian; ++q)
-                    sum.hessian[at[p] * size + at[q]] += block.hessian[p * at.size() + q];
-            }
-        });
-    return sum;
-}
-
-struct State {
-    std::vector<Point> positions;
-    std::vector<Vector3> shifts;
-};
 
 State moved(const State& state, double step, std::span<const double> direction) {
     State next = state;
@@ -108,13 +68,6 @@ std::vector<double> direction_of(const model::Case& model, unsigned seed, double
     for (std::size_t k = 0; k < 3 * model.obstacles.size(); ++k)
         direction.push_back(model.mesh.dimension == 2 && k % 3 == 2 ? 0 : uniform(random));
     return direction;
-}
-
-model::Case with_settings(model::Case model) {
-    model.mesh.region_names = {"rubber"};
-    model.path.contact = model::Contact::solve;
-    model.mesh.cell_regions.assign(model.mesh.cell_types.size(), 0);
-    return model;
 }
 
 class PotentialOf : public testing::TestWithParam<Cells> {};
@@ -344,69 +297,6 @@ TEST(Potential, ActsOnlyBetweenTheClosestFacetsOfABlock) {
     // Half of each side: on the right, the points opposite the end.
     const double expected = 0.5 * k * (barrier(gap, wide).value_m + barrier(gap, narrow).value_m);
     EXPECT_NEAR(at.energy_J, expected, 0.1 * expected);
-}
-
-/// Both sides show the mean of what both act with, and the area is that of the face, also between different materials and cells.
-TEST_P(PotentialOf, PressureBetweenUnlikeBlocksIsTheSameOnBothSides) {
-    for (const int dimension : {2, 3}) {
-        const auto left = test::block(dimension, test::box({0, 1}, {0, 1}, {0, 1}), {2, 2, 2}, "left"),
-                   right = test::block(dimension, test::box({2, 3}, {0, 1}, {0, 1}), {3, 3, 3}, "right");
-        model::Case model =
-            test::make_case(test::as(GetParam(), test::beside(left, right)),
-                            dimension == 2 ? model::Kinematics::plane_strain : model::Kinematics::solid);
-        model.path.contact = model::Contact::solve;
-        model.mesh.region_names = {"left", "right"};
-        model.mesh.cell_regions.clear();
-        for (mesh::Index c = 0; c < model.mesh.cell_count(); ++c)
-            model.mesh.cell_regions.push_back(model.mesh.point(model.mesh.cell_nodes(c)[0])[0] < 1.5 ? 0 : 1);
-        Potential potential(model, std::array{modulus_Pa, 5 * modulus_Pa});
-        // Halves of the quadrilaterals are smaller, and so is their contact distance.
-        const bool halves = dimension == 3 &&
-                            (GetParam() == Cells::second_order_simplices || GetParam() == Cells::first_order_simplices);
-        const double size = halves ? std::sqrt(0.5) : 1, h_left = model.contact.distance * size / 2,
-                     h_right = model.contact.distance * size / 3;
-        for (const double gap : {0.5 * h_right, 1.2 * h_right}) {
-            State state{model.mesh.points, {}};
-            for (Point& x : state.positions)
-                if (x[0] > 1.5) x[0] -= 1 - gap;
-            EXPECT_NEAR(derivatives(potential, state.positions, {}).summary.area_m2[0], 1, 1e-9) << gap;
-            const double expected_Pa =
-                -0.05 * modulus_Pa * (barrier(gap, h_left).slope + 5 * barrier(gap, h_right).slope);
-            const auto pressures_Pa = potential.nodal_pressures_Pa(state.positions, {});
-            for (std::size_t n = 0; n < pressures_Pa.size(); ++n)
-                if (std::abs(model.mesh.points[n][0] - 1.5) < 0.51) {
-                    EXPECT_NEAR(pressures_Pa[n] / expected_Pa, 1, 1e-9) << model.mesh.points[n][0] << ' ' << gap;
-                }
-        }
-    }
-}
-
-/// Faces that touch from the start act as if they were h apart: for an approach of s the energy is the area times k b(h - s), also where
-/// they then overlap, and the ends of the blocks beside the faces do not act.
-TEST_P(PotentialOf, FacesThatTouchFromTheStartActWithTheirApproach) {
-    for (const int dimension : {2, 3}) {
-        const auto left = test::block(dimension, test::box({0, 1}, {0, 1}, {0, 1}), {2, 2, 2}, "left"),
-                   right = test::block(dimension, test::box({1, 2}, {0, 1}, {0, 1}), {2, 2, 2}, "right");
-        const model::Case model =
-            with_settings(test::make_case(test::as(GetParam(), test::beside(left, right)),
-                                          dimension == 2 ? model::Kinematics::plane_strain : model::Kinematics::solid));
-        Potential potential(model, std::array{modulus_Pa});
-        const double h = potential.distance_m(), k = 0.1 * modulus_Pa;
-        const auto at = [&](double approach) {
-            std::vector<Point> positions = model.mesh.points;
-            for (std::size_t n = positions.size() / 2; n < positions.size(); ++n) positions[n][0] -= approach;
-            return derivatives(potential, positions, {}).summary;
-        };
-        EXPECT_NEAR(at(0).max_pressure_Pa, 0, 1e-12 * k);
-        for (const double share : {0.01, 0.3, 0.7}) {
-            const Barrier expected = barrier((1 - share) * h, h);
-            // The points on the rim, up to an eighth of the weights, lie on the ends of the other block as much as on its face.
-            const double energy = at(share * h).energy_J / (k * expected.value_m);
-            EXPECT_GT(energy, dimension == 2 ? 0.98 : 0.86) << share;
-            EXPECT_LT(energy, 1.01) << share;
-            EXPECT_NEAR(at(share * h).max_pressure_Pa / (-k * expected.slope), 1, 1e-6) << share;
-        }
-    }
 }
 
 double energy_J(const mesh::Mesh& undeformed, const std::vector<Point>& positions) {
