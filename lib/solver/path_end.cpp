@@ -73,10 +73,18 @@ bool is_out_of_reach(const PathState& path, double stretch_limit) {
     return rise > 0.0 && rise < mean && mean < rise_before && power > min_power && rise / power < reachable * left;
 }
 
+/// Whether the stage moves an obstacle: the actuator may then be where it was, as where an obstacle slides along it, and the obstacle is not.
+bool moves_obstacle(const PathState& path, const model::Case& input) {
+    const std::vector<double>& rates = path.loads->rate().motions;
+    for (std::size_t m = 0; m < rates.size(); ++m)
+        if (rates[m] != 0.0 && model::moves_obstacle(input, input.motions[m])) return true;
+    return false;
+}
+
 /// Why the path ends: it has returned to states it has passed. Empty where it has not.
-std::string return_text(const PathState& path, const std::string& here) {
+std::string return_text(const PathState& path, const model::Case& input, const std::string& here) {
     const auto found = find_return(path.visited);
-    if (!found) return {};
+    if (!found || (found->sense == Return::Sense::forward && moves_obstacle(path, input))) return {};
     const auto row = [&](std::size_t index) { return std::to_string(path.first_row + static_cast<int>(index)); };
     if (found->sense == Return::Sense::forward)
         return "the requested load is not reached: the path is closed and has returned to row " + row(found->earlier) +
@@ -137,6 +145,11 @@ std::optional<Stop> stop_before_step(const PathState& path, fem::System& system)
 std::optional<Stop> stop_before_row(const PathState& path, const PathPoint& point, const fem::System& system) {
     constexpr double runaway = 1e4,
                      unmoved = 1e-8;  // change of the load factor; of the state by the loads of the stage
+    if (point.state.load_factor < -runaway)
+        return Stop{StopReason::limit_point,
+                    "the requested load is not reached: the loads have turned back by more than " +
+                        short_text(runaway) + " times their change, after " + state_text(*path.last, system.input()) +
+                        end_earlier};
     const double by_loads = linalg::norm(point.tangent.x) / std::abs(point.tangent.load_factor);
     if (std::abs(point.state.load_factor - path.last->state.load_factor) < runaway ||
         by_loads > unmoved * linalg::norm(point.state.x))
@@ -152,7 +165,7 @@ std::optional<Stop> stop_at_row(const PathState& path, fem::System& system) {
     const model::Case& input = system.input();
     if (stage_of(input, path).time_s) return std::nullopt;  // time goes on, also where nothing moves
     const std::string here = state_text(*path.last, input);
-    if (std::string returned = return_text(path, here); !returned.empty()) {
+    if (std::string returned = return_text(path, input, here); !returned.empty()) {
         if (auto inverted = inverted_stop(path, system)) return inverted;
         return Stop{StopReason::limit_point, std::move(returned)};
     }

@@ -41,6 +41,38 @@ runs "mesh-gen designs/verification/contact-wedge.yaml --set contact.friction=0 
 claim "the ramp slides at Coulomb's limit" within "$(awk -v a="$(last push_N wedge.csv)" -v b="$(last press_N wedge.csv)" 'BEGIN { print a / b }')" 0.19416 0.19419
 refuses 65 'mesh-gen: --set contact.friction: *at least 0*' 'mesh-gen designs/bellows-at-wall.yaml --set contact.friction=-0.1'
 
+# A flat slab, as a plane and as a profile, slides along a panel that soon no longer moves: its path is not closed, and the pull is Coulomb's.
+cat >slab.csv <<'END'
+x_mm,y_mm,tag
+-50,-20,w
+90,-20,w
+90,-1,w
+-50,-1,w
+END
+for slab in 'profile: slab.csv' 'plane: {point: [0 mm, -1 mm, 0 mm], normal: [0, 1, 0]}'; do
+    cat >slab.yaml <<END
+family: panel
+geometry: {length: 48 mm, height: 6 mm}
+material: {law: neo-hookean, mu: 0.1644 MPa, kappa: incompressible}
+model: plane-strain
+mesh: {size: 2 mm}
+supports: {fixed: fixed}
+obstacles: {slab: {$slab}}
+contact: {friction: 0.4}
+loads:
+  end: {traction: -0.3 kPa, along: y}
+  slab: {displacement: -15 mm, along: x}
+path: {stages: {press: {loads: {end: {traction: -0.3 kPa}}}, slide: {loads: {slab: {displacement: -15 mm}}}}}
+outputs:
+  pull: {obstacle: slab, measure: force, along: x}
+  press: {obstacle: slab, measure: force, along: y}
+  way: {obstacle: slab, measure: displacement, along: x}
+END
+    runs 'mesh-gen -q slab.yaml | solve -q | postprocess -q -o slab.out.csv'
+    claim "a slab (${slab%%:*}) slides to the end of its load" [ "$(last way_mm slab.out.csv)" = -15 ]
+    claim "... with Coulomb's force" within "$(awk -v a="$(last pull_N slab.out.csv)" -v b="$(last press_N slab.out.csv)" 'BEGIN { print -a / b }')" 0.3999 0.4001
+done
+
 # Motions in time.
 block=designs/verification/contact-sliding-block.yaml
 runs "mesh-gen -q $block -o block.h5 && solve -q block.h5 --json block.json -o one.h5 && postprocess -q one.h5 --also friction_work -o one.csv"
