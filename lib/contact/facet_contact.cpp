@@ -216,12 +216,12 @@ bool FacetContact::is_beside(std::size_t q, const Point& x, const Feature& facet
 void FacetContact::add_features_of(std::size_t q, const Point& x, std::span<const std::size_t> facets) {
     const std::vector<Feature> features = features_near(at_.surface, at_.patches, facets, x);
     std::map<std::size_t, const Feature*> closest;  // by group
-    std::vector<const Feature*> beside;
+    std::vector<const Feature*> unpassed;
     for (const Feature& feature : features) {
         if (feature.kind != Feature::Kind::facet) continue;
         const Feature*& known = closest[feature.group];
         if (is_beside(q, x, feature))
-            beside.push_back(&feature);
+            unpassed.push_back(&feature);
         else if (known == nullptr || feature.closest.distance_m < known->closest.distance_m)
             known = &feature;
     }
@@ -234,7 +234,7 @@ void FacetContact::add_features_of(std::size_t q, const Point& x, std::span<cons
         passed[group] = facet != nullptr && (at_.surface.entries()[facet->facet].obstacle < 0 || facet == nearest) &&
                         has_passed(q, x, *facet);
     std::vector<std::size_t> others(facets.begin(), facets.end());
-    for (const Feature* facet : beside)
+    for (const Feature* facet : unpassed)
         if (passed[facet->group]) std::erase(others, facet->facet);
     for (const Feature& feature : features)
         if (at_.surface.entries()[feature.facet].obstacle >= 0 && passed[feature.group] &&

@@ -9,9 +9,6 @@ namespace soft::contact {
 
 namespace {
 
-/// Of the distance in the undeformed state: within it a point acts on a facet that it does not face there.
-constexpr double share_of_initial_gap = 0.1;
-
 /// Contact distance of the sample point next to xi.
 double distance_at(const ContactSurface::Entry& entry, const surface::FacetPoint& xi) {
     const auto away = [&](const surface::FacetPoint& at) { return std::hypot(at[0] - xi[0], at[1] - xi[1]); };

@@ -7,6 +7,9 @@
 
 namespace soft::contact {
 
+/// Of the distance in the undeformed state: within it a point acts on a facet that it does not face there.
+inline constexpr double share_of_initial_gap = 0.1;
+
 /// A sample point and a facet act on each other where the distance plus the offset is below the reach; once with the contact distance h of
 /// the point, and once with that of the facet.
 struct Reach {
