@@ -143,22 +143,22 @@ std::optional<Stop> stop_before_step(const PathState& path, fem::System& system)
 }
 
 std::optional<Stop> stop_before_row(const PathState& path, const PathPoint& point, const fem::System& system) {
-    constexpr double runaway = 1e4,
+    constexpr double runaway = 1e4, farthest = 1e6,
                      unmoved = 1e-8;  // change of the load factor; of the state by the loads of the stage
-    if (point.state.load_factor < -runaway)
+    const double by_loads = linalg::norm(point.tangent.x) / std::abs(point.tangent.load_factor);
+    const std::string last = state_text(*path.last, system.input());
+    if (std::abs(point.state.load_factor - path.last->state.load_factor) >= runaway &&
+        by_loads <= unmoved * linalg::norm(point.state.x))
+        return Stop{
+            StopReason::limit_point,
+            "the requested load is not reached: the path has turned back to " + last +
+                ", beyond which the load changes and the state does not, as where an obstacle that moves has left it" +
+                end_earlier};
+    if (point.state.load_factor < -farthest)
         return Stop{StopReason::limit_point,
                     "the requested load is not reached: the loads have turned back by more than " +
-                        short_text(runaway) + " times their change, after " + state_text(*path.last, system.input()) +
-                        end_earlier};
-    const double by_loads = linalg::norm(point.tangent.x) / std::abs(point.tangent.load_factor);
-    if (std::abs(point.state.load_factor - path.last->state.load_factor) < runaway ||
-        by_loads > unmoved * linalg::norm(point.state.x))
-        return std::nullopt;
-    return Stop{
-        StopReason::limit_point,
-        "the requested load is not reached: the path has turned back to " + state_text(*path.last, system.input()) +
-            ", beyond which the load changes and the state does not, as where an obstacle that moves has left it" +
-            end_earlier};
+                        short_text(farthest) + " times their change, after " + last + end_earlier};
+    return std::nullopt;
 }
 
 std::optional<Stop> stop_at_row(const PathState& path, fem::System& system) {
