@@ -4,7 +4,7 @@
 /// over the sample points q of all free facets, with w_q their share of the undeformed area (2 pi R included), psi_q a factor that is 1 until the
 /// area has grown fourfold (area.hpp), E_0 Young's modulus of the facet's rubber without strain, and b the barrier (barrier.hpp) of the distance
 /// d_q to the other facets (features.hpp; w_q/2, because both sides count) or to an obstacle. The contact pressure is k |b'| psi per undeformed
-/// area; the gap left in contact is below the contact distance h.
+/// area, between two facets the mean of what both act with; the gap left in contact is below the contact distance h.
 /// Facets are the curved facets of the mesh, and no term of the second derivatives is omitted.
 /// d_q is negative behind the facet, for points that have passed through it (has_passed_through in facet_contact.hpp): only Newton's
 /// iterates go there.
