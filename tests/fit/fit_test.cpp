@@ -192,6 +192,18 @@ TEST(Fit, CovarianceIsTheScatterOfRepeatedTests) {
     }
 }
 
+/// In planar tension the stress of Mooney and Rivlin's law depends on c10 + c01 alone; a uniaxial test determines both.
+TEST(Fit, ConstantsThatTheDataDoNotDetermineHaveNoErrors) {
+    const auto rubber = rubber_of(law("mooney-rivlin-2"), {{"c10", {60e3}}, {"c01", {15e3}}});
+    std::vector<TestCurve> tests{synthetic_test(*rubber, Mode::planar, 2.5, 25)};
+    for (std::size_t i = 0; i < tests[0].nominal_Pa.size(); ++i) tests[0].nominal_Pa[i] += i % 2 == 0 ? 1e3 : -1e3;
+    const Fit planar = fit(law("mooney-rivlin-2"), tests);
+    for (const Constant& constant : planar.list) EXPECT_TRUE(std::isinf(constant.standard_error)) << constant.name;
+    tests.push_back(synthetic_test(*rubber, Mode::uniaxial, 2.5, 25));
+    const Fit both = fit(law("mooney-rivlin-2"), tests);
+    for (const Constant& constant : both.list) EXPECT_LT(constant.standard_error, 5e3) << constant.name;
+}
+
 TEST(Fit, ALargerWeightReducesTheErrorOfItsTest) {
     std::vector<TestCurve> tests = treloar();
     const Fit even = fit(law("yeoh"), tests);
