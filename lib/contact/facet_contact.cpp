@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
+#include <set>
 
 namespace soft::contact {
 
@@ -16,8 +18,6 @@ constexpr double least_compression = 0.2;
 constexpr double off_the_plane = 0.1;
 /// Cosine below which a point behind a facet that is closest to its boundary lies beside it.
 constexpr double beside = 0.5;
-/// Two points of the undeformed body this close (fraction of the facet's size) are the same.
-constexpr double same_point = 1e-9;
 /// Fraction of h: below it the curvature of the distance is lost in rounding, and a reach below it does not act.
 constexpr double no_gap = 1e-6;
 /// Keys of the blocks of smooth obstacles and of friction with obstacles, after those of facets and faceted obstacles.
@@ -152,10 +152,10 @@ void FacetContact::note(std::size_t q, int obstacle, double share, double own_Pa
 }
 
 bool FacetContact::is_at(std::size_t q, const ContactSurface::Entry& other) const {
-    const double same_m = touching_share_of_size * entry_.size_m;
-    if (other.obstacle >= 0 || at_least(other.undeformed, entry_.X[q]) > same_m) return false;
+    const double touching_m = touching_share_of_size * entry_.size_m;
+    if (other.obstacle >= 0 || at_least(other.undeformed, entry_.X[q]) > touching_m) return false;
     const ClosestPoint closest = closest_point(other.undeformed, entry_.X[q]);
-    if (closest.distance_m > same_m) return false;
+    if (closest.distance_m > touching_m) return false;
     const bool neighbours = std::ranges::any_of(entry_.corners, [&](std::size_t corner) {
         return std::ranges::find(other.corners, corner) != other.corners.end();
     });
@@ -215,37 +215,43 @@ bool FacetContact::is_beside(std::size_t q, const Point& x, const Feature& facet
 /// beside whose edge the point has passed through a side.
 void FacetContact::add_features_of(std::size_t q, const Point& x, std::span<const std::size_t> facets) {
     const std::vector<Feature> features = features_near(at_.surface, at_.patches, facets, x);
-    std::map<std::size_t, const Feature*> closest;  // by group
-    std::vector<const Feature*> unpassed;
-    for (const Feature& feature : features) {
-        if (feature.kind != Feature::Kind::facet) continue;
-        const Feature*& known = closest[feature.group];
-        if (is_beside(q, x, feature))
-            unpassed.push_back(&feature);
-        else if (known == nullptr || feature.closest.distance_m < known->closest.distance_m)
-            known = &feature;
-    }
+    const auto is_facet = [](const Feature& feature) { return feature.kind == Feature::Kind::facet; };
+    const auto is_of_obstacle = [&](const Feature& facet) { return at_.surface.entries()[facet.facet].obstacle >= 0; };
+    struct Group {
+        const Feature* closest = nullptr;
+        bool is_passed = false;
+    };
+    std::map<std::size_t, Group> groups;
     const Feature* nearest = nullptr;
-    for (const auto& [group, facet] : closest)
-        if (facet != nullptr && (nearest == nullptr || facet->closest.distance_m < nearest->closest.distance_m))
-            nearest = facet;
-    std::map<std::size_t, bool> passed;
-    for (const auto& [group, facet] : closest)
-        passed[group] = facet != nullptr && (at_.surface.entries()[facet->facet].obstacle < 0 || facet == nearest) &&
-                        has_passed(q, x, *facet);
-    std::vector<std::size_t> others(facets.begin(), facets.end());
-    for (const Feature* facet : unpassed)
-        if (passed[facet->group]) std::erase(others, facet->facet);
-    for (const Feature& feature : features)
-        if (at_.surface.entries()[feature.facet].obstacle >= 0 && passed[feature.group] &&
-            dot(feature.normal, nearest->normal) < 0)
-            std::erase(others, feature.facet);
+    std::set<std::size_t> unpassed;
+    const auto keep_closer = [](const Feature*& known, const Feature& facet) {
+        if (known == nullptr || facet.closest.distance_m < known->closest.distance_m) known = &facet;
+    };
+    for (const Feature& facet : features | std::views::filter(is_facet)) {
+        Group& group = groups[facet.group];
+        if (is_beside(q, x, facet)) {
+            unpassed.insert(facet.facet);
+            continue;
+        }
+        keep_closer(group.closest, facet);
+        keep_closer(nearest, facet);
+    }
+    for (auto& [number, group] : groups)
+        group.is_passed = group.closest != nullptr && (!is_of_obstacle(*group.closest) || group.closest == nearest) &&
+                          has_passed(q, x, *group.closest);
+    std::vector<std::size_t> others;
+    for (const Feature& facet : features | std::views::filter(is_facet)) {
+        const bool is_other_side = is_of_obstacle(facet) && dot(facet.normal, nearest->normal) < 0;
+        if (!groups[facet.group].is_passed || (!is_other_side && !unpassed.contains(facet.facet)))
+            others.push_back(facet.facet);
+    }
     if (others.size() < facets.size()) return add_features_of(q, x, others);
     Reaches reaches(at_.surface, entry_, q, features);
     for (const Feature& feature : features) {
         const double farthest = std::max(at_.surface.entries()[feature.facet].distance_m,
                                          std::max(entry_.h_m[q], overlap_share_of_size * entry_.size_m));
-        if (feature.closest.distance_m < farthest && (passed[feature.group] || !is_behind(feature, at_.patches, x)))
+        if (feature.closest.distance_m < farthest &&
+            (groups[feature.group].is_passed || !is_behind(feature, at_.patches, x)))
             add_feature(q, x, feature, reaches.of(feature));
     }
 }
@@ -307,7 +313,7 @@ void FacetContact::add_smooth(std::size_t q, const Point& x, const ObstacleDista
     if (!at_.rests && d.value_m >= h) return;  // at rest the clearance counts
     const double initial = obstacle.distance(entry_.X[q]).value_m;
     const bool mirror = obstacle.index < 0;
-    if (mirror && initial <= same_point * entry_.size_m) return;
+    if (mirror && initial <= touching_share_of_size * entry_.size_m) return;
     const bool along_rubber =
         mirror && !is_facing(entry_.undeformed, entry_, q, obstacle.distance(entry_.X[q]).gradient);
     const double reach = along_rubber ? std::min(h, share_of_initial_gap * initial) : h,

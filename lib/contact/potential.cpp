@@ -24,6 +24,29 @@ constexpr double deepest_in_sizes = 0.15, least_step_in_sizes = 0.03;
 /// And to the middle of a thin obstacle; but always by this fraction of the contact distance.
 constexpr double least_step_in_distances = 0.05;
 
+/// The share of an approach to a surface that leaves an iterate at most so deep behind it.
+double share_of_approach(double distance_m, double approach_m, double size_m) {
+    const double far_m = distance_m + deepest_in_sizes * size_m;
+    return approach_m > far_m ? std::max(far_m, least_step_in_sizes * size_m) / approach_m : 1;
+}
+
+/// The same of the way of a sample point past an obstacle, relative to which it moves. Where it would leave the obstacle again, or end on
+/// another side of it: up to the entry, or half of the depth that it would reach.
+double share_outside(const ObstacleDistance& obstacle, const ContactSurface::Entry& entry, std::size_t q,
+                     const Point& from, const Point& to) {
+    const double before = obstacle.distance(from).value_m, after = obstacle.distance(to).value_m,
+                 way = norm(difference(to, from));
+    if (before + after >= way) return 1;
+    const Sweep past =
+        obstacle.index < 0 ? Sweep{} : sweep(obstacle.distance, from, to);  // a mirror plane has one side
+    const double share = after < 0 && !past.to_other_side ? share_of_approach(before, before - after, entry.size_m) : 1;
+    const double least = least_step_in_distances * entry.h_m[q];
+    const bool passes = past.leaves && before > 0 && past.deepest_m > least;
+    if (!passes && !past.to_other_side) return share;
+    const double into_it = std::min(least_step_in_sizes * entry.size_m, 0.5 * (past.deepest_m + std::min(before, 0.0)));
+    return std::min(share, past.entry + std::max(into_it, least) / way);
+}
+
 /// Largest motion of a point of a facet relative to its centre.
 double turning_m(const Patch& from, const Patch& to) {
     const Vector3 moved = difference(to.centre, from.centre);
@@ -135,11 +158,6 @@ double Potential::Parts::share_without_crossing(const Motion& motion) {
     const auto& [from, shifts, to, shifts_to] = motion;
     const auto others = candidates.between(from, to);
     double share = 1;
-    const auto limit = [&](double distance, double approach, double size) {
-        if (approach > distance + deepest_in_sizes * size)
-            share =
-                std::min(share, std::max(distance + deepest_in_sizes * size, least_step_in_sizes * size) / approach);
-    };
     const auto size_of = [&](std::size_t i, std::size_t j) {
         const auto &entry = surface.entries()[i], &other = surface.entries()[j];
         return other.obstacle < 0 ? std::min(other.size_m, entry.size_m) : entry.size_m;
@@ -172,34 +190,23 @@ double Potential::Parts::share_without_crossing(const Motion& motion) {
                                                       closest, is_facing(from[i], entry, q, n)))
                     continue;
                 const Vector3 relative = difference(difference(next, x), difference(to[j](closest.xi).x, y.x));
-                limit(behind * closest.distance_m, -behind * dot(relative, r) / closest.distance_m, size_of(i, j));
+                share =
+                    std::min(share, share_of_approach(behind * closest.distance_m,
+                                                      -behind * dot(relative, r) / closest.distance_m, size_of(i, j)));
             }
-            for (const ObstacleDistance* obstacle : near_obstacles) {
-                const Point seen = obstacle->seen(x, shifts), seen_next = obstacle->seen(next, shifts_to);
-                const double before = obstacle->distance(seen).value_m, after = obstacle->distance(seen_next).value_m,
-                             way = norm(difference(seen_next, seen));
-                if (before + after >= way) continue;
-                // The point may pass through an obstacle that is thinner than its way; not through a mirror plane.
-                const Sweep past = obstacle->index < 0 ? Sweep{} : sweep(obstacle->distance, seen, seen_next);
-                if (after < 0 && !past.to_other_side) limit(before, before - after, entry.size_m);
-                const double least = least_step_in_distances * entry.h_m[q];
-                const bool passes = past.leaves && before > 0 && past.deepest_m > least;
-                if (!passes && !past.to_other_side) continue;
-                const double into_it =
-                    std::min(least_step_in_sizes * entry.size_m, 0.5 * (past.deepest_m + std::min(before, 0.0)));
-                share = std::min(share, past.entry + std::max(into_it, least) / way);
-            }
+            for (const ObstacleDistance* obstacle : near_obstacles)
+                share = std::min(share, share_outside(*obstacle, entry, q, obstacle->seen(x, shifts),
+                                                      obstacle->seen(next, shifts_to)));
         }
     }
     return share;
 }
 
 bool Potential::Parts::passes_through(const Motion& motion) const {
-    for (std::size_t i = 0; i < surface.free_count(); ++i) {
-        const auto& entry = surface.entries()[i];
-        for (const ObstacleDistance* obstacle : obstacles_near(i, motion))
-            for (const surface::FacetPoint& xi :
-                 obstacle->index < 0 ? std::vector<surface::FacetPoint>{} : entry.rule->xi) {
+    for (std::size_t i = 0; i < surface.free_count(); ++i)
+        for (const ObstacleDistance* obstacle : obstacles_near(i, motion)) {
+            if (obstacle->index < 0) continue;
+            for (const surface::FacetPoint& xi : surface.entries()[i].rule->xi) {
                 const Point from = obstacle->seen(motion.from[i](xi).x, motion.shifts),
                             to = obstacle->seen(motion.to[i](xi).x, motion.shifts_to);
                 const Distance before = obstacle->distance(from), after = obstacle->distance(to);
@@ -207,7 +214,7 @@ bool Potential::Parts::passes_through(const Motion& motion) const {
                     are_opposite(before.gradient, after.gradient) && sweep(obstacle->distance, from, to).to_other_side)
                     return true;
             }
-    }
+        }
     return false;
 }
 

@@ -1,7 +1,6 @@
 #include "contact/reach.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -11,8 +10,10 @@ namespace {
 
 /// Contact distance of the sample point next to xi.
 double distance_at(const ContactSurface::Entry& entry, const surface::FacetPoint& xi) {
-    const auto away = [&](const surface::FacetPoint& at) { return std::hypot(at[0] - xi[0], at[1] - xi[1]); };
-    const auto next = std::ranges::min_element(entry.rule->xi, {}, away);
+    const auto square = [&](const surface::FacetPoint& at) {
+        return (at[0] - xi[0]) * (at[0] - xi[0]) + (at[1] - xi[1]) * (at[1] - xi[1]);
+    };
+    const auto next = std::ranges::min_element(entry.rule->xi, {}, square);
     return entry.h_m[static_cast<std::size_t>(next - entry.rule->xi.begin())];
 }
 
