@@ -41,8 +41,9 @@ inline constexpr double max_offset_Pa = 10e3;
 struct Constant {
     std::string name;  ///< "mu"; with several terms "mu 1", "mu 2", ...
     double value = 0;  ///< SI
-    /// From the covariance; a lower bound because residuals along a curve are correlated; 0 at a bound.
-    double standard_error = 0;  ///< infinite where the data determine only a combination with other constants
+    /// From the covariance; a lower bound because residuals along a curve are correlated; 0 at a bound; infinite where the data determine
+    /// only a combination with other constants.
+    double standard_error = 0;
     bool is_stress = true;
 };
 

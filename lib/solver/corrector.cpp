@@ -44,8 +44,7 @@ bool Corrector::wake_contact_if_met(const Frame& frame, const PathPoint& point) 
     system_.contact().set_resting(false);
     // A step may be longer than an obstacle is thick.
     const bool meets = point.touches || (!input().obstacles.empty() &&
-                                         (newton_.share_without_crossing(frame.last.state, point.state) < 1.0 ||
-                                          newton_.passes_through_obstacle(frame.last.state, point.state)));
+                                         newton_.share_without_crossing(frame.last.state, point.state) < 1.0);
     system_.contact().set_resting(!meets && !system_.contact().has_friction());
     return meets;
 }

@@ -146,18 +146,18 @@ std::optional<Stop> stop_before_row(const PathState& path, const PathPoint& poin
     constexpr double runaway = 1e4, farthest = 1e6,
                      unmoved = 1e-8;  // change of the load factor; of the state by the loads of the stage
     const double by_loads = linalg::norm(point.tangent.x) / std::abs(point.tangent.load_factor);
-    const std::string last = state_text(*path.last, system.input());
+    const auto last = [&] { return state_text(*path.last, system.input()); };
     if (std::abs(point.state.load_factor - path.last->state.load_factor) >= runaway &&
         by_loads <= unmoved * linalg::norm(point.state.x))
         return Stop{
             StopReason::limit_point,
-            "the requested load is not reached: the path has turned back to " + last +
+            "the requested load is not reached: the path has turned back to " + last() +
                 ", beyond which the load changes and the state does not, as where an obstacle that moves has left it" +
                 end_earlier};
     if (point.state.load_factor < -farthest)
         return Stop{StopReason::limit_point,
                     "the requested load is not reached: the loads have turned back by more than " +
-                        short_text(farthest) + " times their change, after " + last + end_earlier};
+                        short_text(farthest) + " times their change, after " + last() + end_earlier};
     return std::nullopt;
 }
 
