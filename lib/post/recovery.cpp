@@ -58,21 +58,28 @@ std::vector<double> vertex_pressure(const fem::ReferenceCell& cell, const NodalP
     std::vector<double> unknowns(nodal.pressure_Pa.begin(), nodal.pressure_Pa.begin() + cell.pressure_dofs);
     if (std::none_of(nodal.shared.begin(), nodal.shared.begin() + cell.pressure_dofs, std::identity{})) return unknowns;
     const auto functions = nodal_functions(cell, nodal.X);
-    const auto unshared =
-        std::count(nodal.shared.begin() + cell.pressure_dofs, nodal.shared.begin() + cell.nodes, false);
+    double mean = 0;  // of the nodes between the vertices that are not shared
+    int unshared = 0;
+    for (std::size_t a = dofs; a < n; ++a)
+        if (!nodal.shared[a]) mean += (nodal.pressure_Pa[a] - mean) / ++unshared;
+    const auto is_edge_to = [&](std::size_t v, std::size_t w, std::size_t middle) {
+        return w != v && !nodal.shared[w] && !nodal.shared[middle] && functions[middle * dofs + v] == 0.5 &&
+               functions[middle * dofs + w] == 0.5;
+    };
     for (std::size_t v = 0; v < dofs; ++v) {
-        double sum = 0, mean = 0;
-        int count = 0;
-        for (std::size_t a = dofs; nodal.shared[v] && a < n; ++a)
+        if (!nodal.shared[v]) continue;
+        double sum = 0;
+        int edges = 0;
+        for (std::size_t a = dofs; a < n; ++a)
             for (std::size_t w = 0; w < dofs; ++w)
-                if (w != v && !nodal.shared[a] && !nodal.shared[w] && functions[a * dofs + v] == 0.5 &&
-                    functions[a * dofs + w] == 0.5) {
+                if (is_edge_to(v, w, a)) {
                     sum += 2 * nodal.pressure_Pa[a] - nodal.pressure_Pa[w];
-                    ++count;
+                    ++edges;
                 }
-        for (std::size_t a = dofs; nodal.shared[v] && count == 0 && a < n; ++a)  // constant where nothing else is known
-            if (!nodal.shared[a]) mean += nodal.pressure_Pa[a] / static_cast<double>(unshared);
-        if (nodal.shared[v] && (count > 0 || unshared > 0)) unknowns[v] = count > 0 ? sum / count : mean;
+        if (edges > 0)
+            unknowns[v] = sum / edges;
+        else if (unshared > 0)
+            unknowns[v] = mean;
     }
     return unknowns;
 }
