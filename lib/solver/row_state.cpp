@@ -172,15 +172,17 @@ void let_contact_rest(fem::System& system, const PathPoint& a, const PathPoint& 
 
 namespace {
 
-/// Whether the body hardly moves with an obstacle at a point, as where it only just touches, compared with its motion between two points:
-/// a tangent of the length of that motion would move the obstacle by orders of magnitude too far.
+/// Whether the body hardly moves with an obstacle at a point, compared with its motion between two points, as where it only just touches:
+/// a tangent of the length of that motion would move the obstacle by orders of magnitude too far. The same where the body stands still
+/// between the points, as where the obstacle slides along it.
 bool is_at_rest(const model::Case& input, const PathPoint& point, double load_factors, double length) {
-    constexpr double much_slower = 1e-2;
+    constexpr double much_slower = 1e-2, rounding = 1e-8;
     bool moves = false;
     for (std::size_t i = 0; i < input.motions.size(); ++i)
         moves = moves || (point.level_slopes.motions[i] != 0.0 && model::moves_obstacle(input, input.motions[i]));
-    return moves && linalg::norm(point.tangent.x) * std::abs(load_factors) <
-                        much_slower * length * std::abs(point.tangent.load_factor);
+    return moves && (length <= rounding * linalg::norm(point.state.x) ||
+                     linalg::norm(point.tangent.x) * std::abs(load_factors) <
+                         much_slower * length * std::abs(point.tangent.load_factor));
 }
 
 }  // namespace
@@ -191,7 +193,6 @@ double work_between(fem::System& system, const PathPoint& from, const PathPoint&
     const linalg::Vector start = linalg::duplicate(to.state.x), end = linalg::duplicate(to.state.x);
     SOFT_PETSC(VecWAXPY(change, -1.0, from.state.x, to.state.x));
     const double length = linalg::norm(change);
-    if (!(length > 0.0)) return 0;
     // Both tangents by one parameter from 0 to 1, of about constant speed, toward `to`; the levels use the same parameter.
     const auto scaled = [&](const PathPoint& point, Vec tangent) {
         const double size = linalg::norm(point.tangent.x);

@@ -80,11 +80,11 @@ std::optional<Snap> snap(Corrector& corrector, PathState& path, const Listeners&
         corrector.restore(memory);
         point = snap_to(corrector, path, goal->constraint, goal->target);
     }
-    if (!point || find_crossing(corrector, listeners, *point)) {
+    if (!point || find_crossing(corrector, listeners, *point) ||
+        !find_work_of_jump(corrector.system(), last, *point)) {
         corrector.restore(memory);
         return std::nullopt;
     }
-    find_work_of_jump(corrector.system(), last, *point);
     return Snap{std::move(*point), goal};
 }
 

@@ -71,16 +71,18 @@ void find_work_of_step(Corrector& corrector, PathState& path, PathPoint& to) {
     if (from.touches && to.touches && left_J > wanted_J) to.lost_J = left_J;
 }
 
-void find_work_of_jump(fem::System& system, PathPoint& from, PathPoint& to) {
+bool find_work_of_jump(fem::System& system, PathPoint& from, PathPoint& to) {
     const linalg::Vector motion = copy_of(to.state.x);
     linalg::add(motion, -1.0, from.state.x);
     const fem::LoadLevels change = fem::moved(to.levels, -1.0, from.levels);
     let_contact_rest(system, from, to);
     to.step_work_J = 0.5 * (system.assembler().load_power(from.state.x, motion, from.levels, change) +
                             system.assembler().load_power(to.state.x, motion, to.levels, change));
-    if (!system.has_energy()) return;
-    const double gain_J = stored_energy_of(system, to) - stored_energy_of(system, from);
-    to.lost_J = std::max(*to.step_work_J - gain_J, 0.0);
+    if (!system.has_energy()) return true;
+    const double from_J = stored_energy_of(system, from), to_J = stored_energy_of(system, to);
+    const double left_J = *to.step_work_J - (to_J - from_J);
+    to.lost_J = std::max(left_J, 0.0);
+    return -left_J <= energy_jump * std::max(from_J, to_J);
 }
 
 bool breaks_energy_balance(Corrector& corrector, PathState& path, PathPoint& to) {

@@ -72,6 +72,15 @@ END
     claim "a slab (${slab%%:*}) slides to the end of its load" [ "$(last way_mm slab.out.csv)" = -15 ]
     claim "... with Coulomb's force" within "$(awk -v a="$(last pull_N slab.out.csv)" -v b="$(last press_N slab.out.csv)" 'BEGIN { print -a / b }')" 0.3999 0.4001
 done
+# The slab turns back twice. Its force turns round within a small part of a row; the work is force times way all the same.
+runs "mesh-gen -q slab.yaml --set contact.friction=0.1 --set 'path.stages={press: {loads: {end: {traction: -0.3 kPa}}}, in: {loads: {slab: {displacement: -15 mm}}},
+    out: {loads: {slab: {displacement: 15 mm}}}, back: {loads: {slab: {displacement: 0 mm}}}}' | solve -q --json turns.json | postprocess -q --also friction_work -o turns.csv"
+claim "the energies balance where friction turns round" within "$(json turns.json energy_balance_error)" 0 1e-3
+claim "friction dissipates the work of the slab" within "$(awk -v way="$(column way_mm turns.csv | tr '\n' ' ')" -v pull="$(column pull_N turns.csv | tr '\n' ' ')" \
+    -v friction="$(last friction_work_mJ turns.csv)" 'BEGIN {
+        rows = split(way, x, " "); split(pull, f, " ")
+        for (i = 2; i <= rows; ++i) work += (x[i] - x[i - 1]) * (f[i] + f[i - 1]) / 2
+        print -work / friction }')" 0.998 1.002
 
 # Motions in time.
 block=designs/verification/contact-sliding-block.yaml
