@@ -80,10 +80,12 @@ nlohmann::ordered_json postprocess_summary(const io::Result& result, const post:
 
 nlohmann::ordered_json cycles_json(const io::Result& result) {
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
-    for (const post::CycleEnergy& energy : post::cycle_energies(result.model, result.steps))
+    for (const post::CycleEnergy& energy : post::cycle_energies(result.model, result.steps)) {
         json.push_back({{"cycle", energy.cycle},
                         {"load_work_mJ", 1e3 * energy.load_work_J},
                         {"dissipated_energy_mJ", 1e3 * energy.dissipated_J}});
+        if (energy.friction_J) json.back()["friction_work_mJ"] = 1e3 * *energy.friction_J;
+    }
     return json;
 }
 
@@ -100,9 +102,11 @@ std::vector<std::string> summary_lines(const nlohmann::ordered_json& json) {
         lines.push_back("first contact: " + location_line(contact) + ": " + contact["text"].get<std::string>());
     if (json.contains("cycles")) {
         const auto& last = json["cycles"].back();
-        lines.push_back("cycle " + std::to_string(last["cycle"].get<int>()) + ": the loads do " +
-                        core::rounded_text(last["load_work_mJ"].get<double>(), 4) + " mJ of work, " +
-                        core::rounded_text(last["dissipated_energy_mJ"].get<double>(), 4) + " mJ are dissipated");
+        lines.push_back(
+            "cycle " + std::to_string(last["cycle"].get<int>()) + ": the loads do " +
+            core::rounded_text(last["load_work_mJ"].get<double>(), 4) + " mJ of work, " +
+            core::rounded_text(last["dissipated_energy_mJ"].get<double>() + last.value("friction_work_mJ", 0.0), 4) +
+            " mJ are dissipated");
     }
     if (const auto& fit = json["material_fit"]; !fit.is_null()) lines.push_back(fit_line(fit));
     return lines;

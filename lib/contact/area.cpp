@@ -7,6 +7,10 @@ namespace {
 /// Radius over the size of a facet.
 constexpr double on_the_axis = 1e-9;
 
+bool is_on_axis(const surface::FacetMap::Value& undeformed) {
+    return undeformed.x[1] <= on_the_axis * norm(undeformed.t1);
+}
+
 Vector3 unit_vector(std::size_t i) {
     Vector3 e{};
     e[i] = 1;
@@ -25,8 +29,7 @@ double area_stretch(const Patch& undeformed, const Patch& now, const surface::Fa
     const auto before = undeformed(xi), at = now(xi);
     const double along = norm(cross(at.t1, at.t2)) / norm(cross(before.t1, before.t2));
     if (!is_revolved) return along;
-    const bool on_axis = before.x[1] <= on_the_axis * norm(before.t1);
-    return along * (on_axis ? along : at.x[1] / before.x[1]);
+    return along * (is_on_axis(before) ? along : at.x[1] / before.x[1]);
 }
 
 AreaFactor area_factor(double stretch) {
@@ -43,12 +46,19 @@ AreaStretch area_stretch(const ContactSurface::Entry& entry, const Patch& now, s
     stretch.stretch = area_stretch(entry.undeformed, now, entry.rule->xi[q], surface.is_revolved());
     const AreaFactor factor = area_factor(stretch.stretch);
     stretch.factor = factor.value;
-    if (factor.by_stretch == 0 || entry.weight_m2[q] == 0) return stretch;
+    if (factor.by_stretch == 0) return stretch;
     const auto before = entry.undeformed(entry.rule->xi[q]), at = now(entry.rule->xi[q]);
     const Vector3 c = cross(at.t1, at.t2);
-    const double length = norm(c), undeformed = norm(cross(before.t1, before.t2)),
-                 ratio = surface.is_revolved() ? at.x[1] / before.x[1] : 1,
-                 by_radius_1_m = surface.is_revolved() ? 1 / before.x[1] : 0;
+    const double length = norm(c), undeformed = norm(cross(before.t1, before.t2));
+    // On the axis the stretch of the circumference is that along the meridian.
+    const bool on_axis = surface.is_revolved() && is_on_axis(before);
+    double ratio = 1, by_radius_1_m = 0;
+    if (on_axis) {
+        ratio = length / undeformed;
+    } else if (surface.is_revolved()) {
+        ratio = at.x[1] / before.x[1];
+        by_radius_1_m = 1 / before.x[1];
+    }
     const std::size_t n = entry.nodes.size(), dimension = surface.dimension(), size = n * dimension;
     const Vector3 m = along({}, 1 / length, c);
     std::array<std::array<Vector3, 3>, 2> dc{};  // by each component of the first tangent, and of the second
@@ -59,11 +69,14 @@ AreaStretch area_stretch(const ContactSurface::Entry& entry, const Patch& now, s
     const double* N = &entry.rule->N[q * n];
     const auto* dN = &entry.rule->dN[q * n];
     std::vector<double> along_surface(size), by_position(size);
-    const auto radial = [&](std::size_t i, std::size_t a) { return i == 1 ? by_radius_1_m * N[a] : 0; };
+    const auto ratio_by = [&](std::size_t i, std::size_t a) {
+        if (on_axis) return along_surface[i * n + a];
+        return i == 1 ? by_radius_1_m * N[a] : 0;
+    };
     for (std::size_t i = 0; i < dimension; ++i)
         for (std::size_t a = 0; a < n; ++a) {
             along_surface[i * n + a] = (dN[a][0] * dot(m, dc[0][i]) + dN[a][1] * dot(m, dc[1][i])) / undeformed;
-            by_position[i * n + a] = ratio * along_surface[i * n + a] + radial(i, a) * length / undeformed;
+            by_position[i * n + a] = ratio * along_surface[i * n + a] + ratio_by(i, a) * length / undeformed;
         }
     for (const double slope : by_position) stretch.gradient.push_back(factor.by_stretch * slope);
     if (wanted != Wanted::hessian) return stretch;
@@ -84,8 +97,8 @@ AreaStretch area_stretch(const ContactSurface::Entry& entry, const Patch& now, s
                     for (std::size_t s = 0; s < 2; ++s)
                         for (std::size_t t = 0; t < 2; ++t) sum += dN[a][s] * K[s][t] * dN[b][t];
                     stretch.hessian[p * size + r] =
-                        factor.by_stretch * (ratio * sum / undeformed + radial(i, a) * along_surface[r] +
-                                             radial(j, b) * along_surface[p]) +
+                        factor.by_stretch * ((on_axis ? 2 : 1) * ratio * sum / undeformed +
+                                             ratio_by(i, a) * along_surface[r] + ratio_by(j, b) * along_surface[p]) +
                         factor.second_by_stretch * by_position[p] * by_position[r];
                 }
         }

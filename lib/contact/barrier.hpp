@@ -2,8 +2,9 @@
 /// Energy density of a signed gap d below the contact distance h, per stiffness and area [m]:
 ///   b(d) = -h (d/h - 1)^2 ln(d/h) for continued h < d < h, 0 beyond, with two continuous derivatives,
 /// and its Taylor polynomial of second degree about continued h below. Newton's method passes through states in which walls overlap; there
-/// the polynomial acts as a linear spring, to which overlap adds  -stiffening d^3 / (6 h^2).  The gap is positive up to a contact pressure of
-/// 12.8 k, and above -h up to 200 k.
+/// the polynomial acts as a linear spring, to which overlap adds  50 h o^3,  o = -d/h, and behind the closest part of a surface
+/// 1000 h o^5, continued as a polynomial of second degree beyond o = 1.5. The gap is positive up to a contact pressure of 12.8 k, above
+/// -h/2 up to 380 k, and above -h up to 5200 k.
 /// Source: Li et al., Incremental Potential Contact, ACM Trans. Graph. 39 (2020), eq. 6; the continuation: derived here.
 /// Tested by contact/distance_test.
 #include <cmath>
@@ -15,10 +16,14 @@ struct Barrier {
 };
 
 inline constexpr double continued = 0.2;
-inline constexpr double stiffening = 300;  ///< about the third derivative where the polynomial begins
+inline constexpr double cubic = 50;  ///< h times a sixth of the third derivative where the polynomial begins, about
+inline constexpr double quintic = 1000, quintic_up_to = 1.5;
+
+/// A point inside of an edge is behind both sides. Only the closer one stops it there (features.hpp).
+enum class Nearness { closest, other };
 
 /// h > 0
-[[nodiscard]] inline Barrier barrier(double d, double h) {
+[[nodiscard]] inline Barrier barrier(double d, double h, Nearness part = Nearness::closest) {
     if (d >= h) return {};
     const double s = std::fmax(d / h, continued), below = s - 1, log = std::log(s);
     Barrier at{-h * below * below * log, -(2 * below * log + below * below / s),
@@ -26,10 +31,15 @@ inline constexpr double stiffening = 300;  ///< about the third derivative where
     const double beyond = std::fmin(d - continued * h, 0.0);
     at.value_m += beyond * (at.slope + 0.5 * beyond * at.curvature_1_m);
     at.slope += beyond * at.curvature_1_m;
-    const double overlap = std::fmin(d / h, 0.0), third = stiffening * overlap;
-    at.value_m -= h * overlap * overlap * third / 6;
-    at.slope -= overlap * third / 2;
-    at.curvature_1_m -= third / h;
+    const double o = std::fmax(-d / h, 0.0);
+    at.value_m += h * cubic * o * o * o;
+    at.slope -= 3 * cubic * o * o;
+    at.curvature_1_m += 6 * cubic * o / h;
+    if (part == Nearness::other) return at;
+    const double q = std::fmin(o, quintic_up_to), rest = o - q, q3 = quintic * q * q * q;
+    at.value_m += h * q3 * (q * q + rest * (5 * q + 10 * rest));
+    at.slope -= q3 * (5 * q + 20 * rest);
+    at.curvature_1_m += 20 * q3 / h;
     return at;
 }
 

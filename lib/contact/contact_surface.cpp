@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 
 #include "mesh/shape.hpp"
@@ -21,9 +22,13 @@ using surface::FacetPoint;
 constexpr double facing = 0.5;
 /// Facets that face away from each other within this many facet sizes have rubber between them.
 constexpr double thickest_wall_in_facets = 3;
-/// Parts of a line with a rule each. A point that slides over a corner of the other side makes the equilibrium unstable unless its
-/// force over its gap is small against the stiffness of the cells.
-constexpr int line_parts = 4;
+/// Parts of a line, and of a quadrilateral in both directions, with a rule each. A point that slides over a corner of the other side makes the
+/// equilibrium unstable unless its force over its gap is small against the stiffness of the cells.
+constexpr int line_parts = 4, quadrilateral_parts = 3;
+/// Points on [-1, 1] with their weights. The root is that of 3/7.
+using LineRule = std::vector<std::array<double, 2>>;
+const LineRule simpson{{-1, 1.0 / 3}, {0, 4.0 / 3}, {1, 1.0 / 3}},
+    lobatto{{-1, 0.1}, {-0.65465367070797714, 49.0 / 90}, {0, 32.0 / 45}, {0.65465367070797714, 49.0 / 90}, {1, 0.1}};
 /// k over the larger of E_0 and the pressure.
 constexpr double stiffness_share = 0.1;
 
@@ -35,6 +40,14 @@ void add_point(SampleRule& rule, const FacetPoint& xi, double weight) {
         }
     rule.xi.push_back(xi);
     rule.weights.push_back(weight);
+}
+
+/// The rule in each of so many equal parts of [-1, 1]; points that two parts share come twice.
+LineRule in_parts(const LineRule& rule, int parts) {
+    LineRule all;
+    for (int part = 0; part < parts; ++part)
+        for (const auto& [s, w] : rule) all.push_back({(2 * part + 1 + s) / parts - 1, w / parts});
+    return all;
 }
 
 void add_triangle(SampleRule& rule, const std::array<FacetPoint, 3>& corners, double area) {
@@ -95,6 +108,19 @@ bool has_facing_points(const ContactSurface::Entry& entry, const ContactSurface:
     return false;
 }
 
+/// A point on the axis of revolution stands for the surface halfway to the next point, which it takes from that: with its own radius it
+/// would weigh nothing, and the tip of a dome would pass through a wall.
+void weigh_point_on_axis(ContactSurface::Entry& entry) {
+    std::vector<std::size_t> outward(entry.X.size());
+    std::iota(outward.begin(), outward.end(), 0);
+    std::ranges::sort(outward, {}, [&](std::size_t q) { return entry.X[q][1]; });
+    const Point &tip = entry.X[outward[0]], &next = entry.X[outward[1]];
+    if (tip[1] > touching_share_of_size * entry.size_m) return;
+    const double moved_m2 = 0.25 * std::numbers::pi * norm(difference(next, tip)) * next[1];
+    entry.weight_m2[outward[0]] += moved_m2;
+    entry.weight_m2[outward[1]] -= moved_m2;
+}
+
 /// Largest prescribed pressure: walls that are pressed together by more than their modulus would overlap.
 double largest_pressure_Pa(const model::Case& model) {
     double largest = 0;
@@ -118,8 +144,6 @@ bool share_a_side(std::span<const Index> corners, std::span<const Index> others,
 }
 
 SampleRule sample_rule(mesh::CellType facet) {
-    const std::array<double, 5> s{-1, -std::sqrt(3.0 / 7), 0, std::sqrt(3.0 / 7), 1},
-        w{0.1, 49.0 / 90, 32.0 / 45, 49.0 / 90, 0.1};
     SampleRule rule;
     const mesh::Shape shape = mesh::topology(facet).shape;
     if (shape == mesh::Shape::triangle) {
@@ -128,12 +152,11 @@ SampleRule sample_rule(mesh::CellType facet) {
              {std::array{a, ab, ca}, std::array{ab, b, bc}, std::array{ca, bc, c}, std::array{ab, bc, ca}})
             add_triangle(rule, part, 0.125);
     } else if (shape == mesh::Shape::line) {
-        for (int part = 0; part < line_parts; ++part)
-            for (std::size_t i = 0; i < 5; ++i)
-                add_point(rule, {(2 * part + 1 + s[i]) / line_parts - 1, 0}, w[i] / line_parts);
+        for (const auto& [s, w] : in_parts(lobatto, line_parts)) add_point(rule, {s, 0}, w);
     } else {
-        for (std::size_t j = 0; j < 5; ++j)
-            for (std::size_t i = 0; i < 5; ++i) add_point(rule, {s[i], s[j]}, w[i] * w[j]);
+        const auto points = in_parts(simpson, quadrilateral_parts);
+        for (const auto& [t, v] : points)
+            for (const auto& [s, w] : points) add_point(rule, {s, t}, v * w);
     }
     for (const FacetPoint& xi : rule.xi)
         for (const mesh::ShapeValue& value : mesh::shape_values(facet, {xi[0], xi[1], 0})) {
@@ -211,6 +234,7 @@ ContactSurface::ContactSurface(const model::Case& model, std::span<const double>
             entry.weight_m2.push_back(share * (is_revolved_ ? 2 * std::numbers::pi * at.x[1] : 1));
         }
         entry.size_m = dimension_ == 2 ? area : std::sqrt(area);
+        if (is_revolved_) weigh_point_on_axis(entry);
         entry.stiffness_Pa =
             stiffness_share *
             std::max(

@@ -14,7 +14,7 @@
 namespace soft::contact {
 
 /// Points and weights on a reference facet. Corners and edges are among the points, so that a corner does not slip through between them.
-///   line: Gauss-Lobatto, 5 points in each quarter (exact to degree 7); quadrilateral: the product of one such rule over the whole;
+///   line: Gauss-Lobatto, 5 points in each quarter (exact to degree 7); quadrilateral: Simpson's rule in each third of both directions;
 ///   triangle: four times the rule with corners (1/20), middles of edges (2/15) and centroid (9/20), exact to degree 3.
 struct SampleRule {
     std::vector<surface::FacetPoint> xi;

@@ -269,7 +269,8 @@ void FacetContact::add_feature(std::size_t q, const Point& x, const Feature& fea
     const bool acts = gap < reach.own_m && reach.own_m > no_gap * h,
                other_acts = feature.is_closest && gap_other < reach.other_m && reach.other_m > no_gap * h;
     if (!acts && !other_acts) return;
-    const Barrier b = acts ? barrier(gap, reach.own_m) : Barrier{};
+    const Barrier b =
+        acts ? barrier(gap, reach.own_m, feature.is_closest ? Nearness::closest : Nearness::other) : Barrier{};
     const AreaStretch& stretch = stretch_at(q);
     const double share = itself ? 0.5 : 1.0,
                  undeformed = feature.coefficient * share * entry_.weight_m2[q] * entry_.stiffness_Pa,
@@ -338,7 +339,8 @@ void FacetContact::add_smooth(std::size_t q, const Point& x, const ObstacleDista
     Block& block = block_of(key, obstacle.index, {});
     add_function(block, weights, g, H);
     add_area_stretch(block, stretch, undeformed * b.value_m, along({}, undeformed * b.slope, d.gradient), weights);
-    note(q, obstacle.index, 1, pressure_at(q, b), 0, d.gradient);
+    // In the whole actuator both sides of a mirror count, as both walls do that touch.
+    note(q, obstacle.index, mirror ? 0.5 : 1, pressure_at(q, b), 0, d.gradient);
     if (!at_.friction.is_empty() && !mirror)
         touches_.push_back({.point = q,
                             .obstacle = obstacle.index,

@@ -39,6 +39,7 @@ std::vector<CycleEnergy> cycle_energies(const model::Case& model, std::span<cons
         if (!is_complete || !from.energies || !to.energies) break;
         energies.push_back({cycle, to.energies->load_work_J - from.energies->load_work_J,
                             to.energies->dissipated_J.value_or(0) - from.energies->dissipated_J.value_or(0)});
+        if (to.friction_J) energies.back().friction_J = *to.friction_J - from.friction_J.value_or(0);
     }
     return energies;
 }

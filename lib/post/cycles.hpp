@@ -1,5 +1,6 @@
 #pragma once
 /// Cycles of a repeated programme (model::PathSettings::cycles). Tested by post/cycles_test.
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,10 +16,12 @@ struct CycleRows {
 };
 [[nodiscard]] CycleRows rows_of_cycle(const model::Case& model, std::span<const model::Step> steps, int cycle);
 
-/// What the loads do in a cycle, and what it dissipates: in a cycle that ends as it has begun the area of its loop.
+/// What the loads do in a cycle, and what inelastic rubber, snaps and friction dissipate: in a cycle that ends as it has begun the area of its
+/// loop.
 struct CycleEnergy {
     int cycle = 1;
     double load_work_J = 0, dissipated_J = 0;
+    std::optional<double> friction_J = {};  ///< not in dissipated_J; none without friction
 };
 /// Of the complete cycles; empty for a path without repetition or energies.
 [[nodiscard]] std::vector<CycleEnergy> cycle_energies(const model::Case& model, std::span<const model::Step> steps);

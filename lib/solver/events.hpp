@@ -17,6 +17,14 @@ struct Event {
     mesh::Point location_m{};
 };
 
+/// States on both sides of an event, each a row until a state between both rows is found.
+struct Bracket {
+    const PathPoint &from, &to;
+    std::optional<PathPoint> left = {}, right = {};
+    [[nodiscard]] const PathPoint& low() const { return left ? *left : from; }
+    [[nodiscard]] const PathPoint& high() const { return right ? *right : to; }
+};
+
 struct Events {
     std::vector<Event> list;                  ///< in the order of the path
     void add(Event event, double direction);  ///< of the path: 1 or -1

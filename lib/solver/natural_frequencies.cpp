@@ -28,9 +28,12 @@ NaturalFrequencies::NaturalFrequencies(fem::System& system, int count)
         refuse_frequencies(
             "natural frequencies need a factorisation of the tangent, but the linear solver is iterative",
             "set solver.linear: mumps-ldlt, or path.frequencies: 0");
-    if (!system.has_symmetric_tangent())
+    if (!system.has_energy())
         refuse_frequencies("a material has a stress without an energy, so its tangent is not symmetric",
                            "choose another law, or set path.frequencies: 0");
+    if (!system.has_symmetric_tangent())
+        refuse_frequencies("with friction, the tangent is not symmetric",
+                           "set contact.friction: 0 (and that of obstacles), or path.frequencies: 0");
     if (count > dofs.total - dofs.pressures)
         refuse_frequencies(std::to_string(count) + " exceeds the number of displacement unknowns (" +
                                std::to_string(dofs.total - dofs.pressures) + ")",

@@ -61,6 +61,8 @@ void Newton::set_loads(const StageLoads& loads) {
         rounding_N_ = bordered_.change_by_digits({system.make_vector(), 0.0, {}}, fem::no_loads(system.input()));
 }
 
+double Newton::rounding_N() const { return rounding_margin * rounding_N_; }
+
 PathTangent no_tangent(const State& state) {
     return {linalg::duplicate(state.x), 0.0, std::vector(state.pressures_Pa.size(), 0.0), std::nullopt, 0.0};
 }

@@ -113,7 +113,9 @@ public:
     };
     [[nodiscard]] std::optional<Miss> miss(const Constraint& constraint, double target, const State& state);
 
-    /// Rounding error of R in the undeformed body, in units of the path parameter: relative to the forces of the tangent's loads.
+    /// Bound of the rounding error of R in the undeformed body, as a force.
+    [[nodiscard]] double rounding_N() const;
+    /// That error in units of the path parameter: relative to the forces of the tangent's loads.
     [[nodiscard]] double rounding_of_loads(const PathTangent& tangent) const;
 
     /// Negative pivots of K in excess of one per pressure unknown at the last tangent(), to which the next one is compared. A path

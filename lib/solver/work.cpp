@@ -92,7 +92,8 @@ bool breaks_energy_balance(Corrector& corrector, PathState& path, PathPoint& to)
     find_work_of_step(corrector, path, to);
     if (to.lost_J > 0) return false;  // a snap sets energy free
     const double from_J = *path.last->stored_J, to_J = *to.stored_J;
-    return std::abs(*to.step_work_J - (to_J - from_J)) > energy_jump * std::max(from_J, to_J);
+    const double rounding_J = corrector.newton().rounding_N() * distance(to.state.x, path.last->state.x);
+    return std::abs(*to.step_work_J - (to_J - from_J)) > energy_jump * std::max(from_J, to_J) + rounding_J;
 }
 
 }  // namespace soft::solver

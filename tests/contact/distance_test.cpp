@@ -11,12 +11,14 @@ using mesh::Point;
 
 TEST(Barrier, HasTwoContinuousDerivativesAndRepels) {
     constexpr double h = 0.3, step = 1e-6;
-    for (const double d : {-0.4, -0.05, 0.01, 0.1, 0.25}) {
-        const Barrier at = barrier(d, h), before = barrier(d - step, h), after = barrier(d + step, h);
-        EXPECT_NEAR((after.value_m - before.value_m) / (2 * step), at.slope, 1e-6 * std::abs(at.slope));
-        EXPECT_NEAR((after.slope - before.slope) / (2 * step), at.curvature_1_m, 1e-6 * at.curvature_1_m);
-        EXPECT_LT(at.slope, 0);
-    }
+    for (const auto part : {Nearness::closest, Nearness::other})
+        for (const double d : {-0.7, -0.45, -0.4, -0.05, 0.01, 0.1, 0.25}) {
+            const Barrier at = barrier(d, h, part), before = barrier(d - step, h, part),
+                          after = barrier(d + step, h, part);
+            EXPECT_NEAR((after.value_m - before.value_m) / (2 * step), at.slope, 1e-6 * std::abs(at.slope));
+            EXPECT_NEAR((after.slope - before.slope) / (2 * step), at.curvature_1_m, 1e-5 * at.curvature_1_m);
+            EXPECT_LT(at.slope, 0);
+        }
     EXPECT_NEAR(barrier(h * (1 - 1e-8), h).curvature_1_m, 0, 1e-6);
     EXPECT_EQ(barrier(h, h).value_m, 0);
 }

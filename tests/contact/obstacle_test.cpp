@@ -6,7 +6,7 @@
 
 #include "../fem/block_mesh.hpp"
 #include "contact/potential.hpp"
-#include "contact_samples.hpp"
+#include "potential_samples.hpp"
 
 namespace soft::contact {
 namespace {
@@ -103,6 +103,41 @@ TEST(ThinObstacle, ActsAsAThickOne) {
                 EXPECT_NEAR(thin.energy_J, thick.energy_J, 1e-9 * thick.energy_J) << kind << ' ' << thickness;
                 EXPECT_NEAR(thin.max_pressure_Pa, thick.max_pressure_Pa, 1e-9 * thick.max_pressure_Pa);
             }
+}
+
+/// A disc before a plane: its tip on the axis is stopped on its own, however large its cells, and the derivatives are exact also where contact
+/// acts on the deformed area.
+TEST(AxisOfRevolution, ATipDoesNotPassThroughAPlane) {
+    const auto block = test::block(2, test::box({0, 1}, {0, 1}), {1, 1, 1}, "block");
+    model::Case model = with_settings(test::make_case(block, model::Kinematics::axisymmetric));
+    const double h = Potential(model, std::array{modulus_Pa}).distance_m();
+    model.obstacles.push_back({"plane", model::Plane{{1 + 2 * h, 0, 0}, {-1, 0, 0}}});
+    Potential potential(model, std::array{modulus_Pa});
+    for (const double stretch : {1.0, 3.0}) {
+        State state{model.mesh.points, {{}}};
+        for (mesh::Point& x : state.positions) {
+            x[1] *= stretch;
+            if (x[0] > 0.99) x[0] += 1.5 * h;
+        }
+        expect_exact_derivatives(potential, state, direction_of(model, 6, 0.5 * h));
+        const double area_m2 = derivatives(potential, state.positions, state.shifts).summary.area_m2[0];
+        EXPECT_NEAR(area_m2, std::numbers::pi * stretch * stretch, 1e-9 * area_m2);
+    }
+    State tip{model.mesh.points, {{}}};
+    for (mesh::Point& x : tip.positions)
+        if (x[0] > 0.99) x[0] -= x[1] < 0.01 ? -2.2 * h : 20 * h;
+    EXPECT_GT(derivatives(potential, tip.positions, tip.shifts).summary.energy_J, 0);
+}
+
+/// The area of a half that touches its mirror image is half of that of the pair, as if both walls were in the mesh.
+TEST(SymmetryPlane, HalfOfTheAreaIsThatOfTheHalf) {
+    const auto block = test::block(2, test::box({1, 2}, {0, 1}), {2, 2, 1}, "block");
+    model::Case model = with_settings(test::make_case(block, model::Kinematics::plane_strain));
+    model.symmetry_planes[0] = true;
+    Potential potential(model, std::array{modulus_Pa});
+    State state{model.mesh.points, {}};
+    for (mesh::Point& x : state.positions) x[0] += 0.5 * potential.distance_m() - 1;
+    EXPECT_NEAR(derivatives(potential, state.positions, state.shifts).summary.area_m2[0], 0.5, 1e-9);
 }
 
 /// A point that is pressed onto the axis of revolution is pushed away, the harder the nearer: its area vanishes there, its resistance must not.

@@ -30,6 +30,7 @@ std::vector<model::Step> rows() {
             step.stage = stage;
             step.load_factor = share;
             step.energies = {.stored_J = 0, .load_work_J = work_J[stage], .dissipated_J = 0.9 * work_J[stage]};
+            step.friction_J = 0.1 * work_J[stage];
         }
     return steps;
 }
@@ -42,6 +43,7 @@ TEST(Cycles, EnergiesAreThoseOfEachCycle) {
         EXPECT_EQ(energies[i].cycle, static_cast<int>(i) + 1);
         EXPECT_NEAR(1e3 * energies[i].load_work_J, work_mJ[i], 1e-9);
         EXPECT_NEAR(1e3 * energies[i].dissipated_J, 0.9 * work_mJ[i], 1e-9);
+        EXPECT_NEAR(1e3 * energies[i].friction_J.value(), 0.1 * work_mJ[i], 1e-9);
     }
     auto unfinished = rows();
     unfinished.pop_back();

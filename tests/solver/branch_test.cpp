@@ -49,22 +49,36 @@ model::Case strut_case(int n, double share) {
     return input;
 }
 
-/// Exact strain at which the strut buckles into half a wave: displacements u2 = -k f(y) cos kx, f = A cosh ky + B cosh(l1/l2 ky)
+/// Exact strain at which the strut buckles into `half_waves`: displacements u2 = -k f(y) cos kx, f = A cosh ky + B cosh(l1/l2 ky)
 /// of an incompressible neo-Hookean slab under thrust have no traction on y = +-h where
-///     tanh(kh) / tanh(kh l1/l2) = 4 l1 l2^3 / (l1^2 + l2^2)^2,   k = pi / (l1 L),  h = l2 H / 2,  l2 = 1 / l1
+///     tanh(kh) / tanh(kh l1/l2) = 4 l1 l2^3 / (l1^2 + l2^2)^2,   k = half_waves pi / (l1 L),  h = l2 H / 2,  l2 = 1 / l1
 /// (flexural mode of Sawyers and Rivlin, Int. J. Solids Structures 10 (1974) 483; rederived here).
-double buckling_strain() {
-    const auto residual = [](double l1) {
-        const double l2 = 1 / l1, kh = std::numbers::pi / (l1 * strut_length) * l2 * strut_height / 2;
+double buckling_strain(int half_waves = 1) {
+    const auto residual = [half_waves](double l1) {
+        const double l2 = 1 / l1, kh = half_waves * std::numbers::pi / (l1 * strut_length) * l2 * strut_height / 2;
         const double sum = l1 * l1 + l2 * l2;
         return std::tanh(kh) / std::tanh(kh * l1 / l2) - 4 * l1 * l2 * l2 * l2 / (sum * sum);
     };
-    double stable = 0.999, unstable = 0.9;
+    double stable = 0.999, unstable = 0.8;
     for (int i = 0; i < 60; ++i) {
         const double middle = 0.5 * (stable + unstable);
         (residual(middle) * residual(0.999) > 0 ? stable : unstable) = middle;
     }
     return 1 - stable;
+}
+
+TEST(Bifurcation, AllWithinOneStepAreLocated) {
+    auto input = strut_case(40, 0.1);
+    input.solver.steps = model::StepRule::constant;
+    input.solver.first_step = 1;
+    const auto end = run(input).end;
+    EXPECT_EQ(end.reason, StopReason::done);
+    ASSERT_EQ(end.bifurcations.size(), 3u);
+    for (int n = 1; n <= 3; ++n) {
+        const model::Bifurcation& at = end.bifurcations[static_cast<std::size_t>(n - 1)];
+        EXPECT_EQ(at.modes, 1);
+        EXPECT_NEAR(0.1 * at.at.pressure_Pa / buckling_strain(n), 1.0, 4e-3) << n;  // 'level' has a finite length
+    }
 }
 
 TEST(Bifurcation, AStrutBucklesAtItsExactStrainInItsExactMode) {
