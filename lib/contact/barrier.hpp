@@ -43,4 +43,11 @@ enum class Nearness { closest, other };
     return at;
 }
 
+/// Of the area of a point, how much counts as in contact: all below a gap of 0.9 h, nothing beyond h, smooth between, so that the area in
+/// contact is continuous. The pressure at 0.9 h is 0.03 k.
+[[nodiscard]] inline double share_in_contact(double d, double h) {
+    const double s = std::fmin(std::fmax(10 * (1 - d / h), 0.0), 1.0);
+    return s * s * (3 - 2 * s);
+}
+
 }  // namespace soft::contact

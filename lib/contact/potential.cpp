@@ -203,18 +203,21 @@ double Potential::Parts::share_without_crossing(const Motion& motion) {
 }
 
 bool Potential::Parts::passes_through(const Motion& motion) const {
+    const auto passes = [&](std::size_t i, std::size_t q, const ObstacleDistance& obstacle) {
+        const ContactSurface::Entry& entry = surface.entries()[i];
+        const Point from = obstacle.seen(motion.from[i](entry.rule->xi[q]).x, motion.shifts),
+                    to = obstacle.seen(motion.to[i](entry.rule->xi[q]).x, motion.shifts_to);
+        const Distance before = obstacle.distance(from), after = obstacle.distance(to);
+        if (before.value_m + after.value_m >= norm(difference(to, from)) ||
+            !are_opposite(before.gradient, after.gradient))
+            return false;
+        const Sweep past = sweep(obstacle.distance, from, to);
+        return past.to_other_side || (past.leaves && past.deepest_m > entry.h_m[q]);  // also off the centre of a post
+    };
     for (std::size_t i = 0; i < surface.free_count(); ++i)
-        for (const ObstacleDistance* obstacle : obstacles_near(i, motion)) {
-            if (obstacle->index < 0) continue;
-            for (const surface::FacetPoint& xi : surface.entries()[i].rule->xi) {
-                const Point from = obstacle->seen(motion.from[i](xi).x, motion.shifts),
-                            to = obstacle->seen(motion.to[i](xi).x, motion.shifts_to);
-                const Distance before = obstacle->distance(from), after = obstacle->distance(to);
-                if (before.value_m + after.value_m < norm(difference(to, from)) &&
-                    are_opposite(before.gradient, after.gradient) && sweep(obstacle->distance, from, to).to_other_side)
-                    return true;
-            }
-        }
+        for (const ObstacleDistance* obstacle : obstacles_near(i, motion))
+            for (std::size_t q = 0; q < surface.entries()[i].X.size() && obstacle->index >= 0; ++q)
+                if (passes(i, q, *obstacle)) return true;
     return false;
 }
 

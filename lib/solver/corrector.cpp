@@ -1,11 +1,20 @@
 #include "solver/corrector.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "solver/control.hpp"
 #include "solver/row_state.hpp"
 
 namespace soft::solver {
+
+namespace {
+
+/// Relative, of a quantity without a slope; that many states are solved for at most, each at least this far from the ends of its interval.
+constexpr double goal_accuracy = 1e-9, least_share = 0.01;
+constexpr int goal_solves = 60;
+
+}  // namespace
 
 Constraint bind(const Constraint& constraint, const PathPoint& origin) {
     Constraint bound = constraint;
@@ -72,6 +81,30 @@ std::optional<PathPoint> Corrector::solve_between(const Frame& frame, const Path
     auto point = solve_at(frame, constraint, target, std::move(guess), contact);
     if (point && by_arc) point->q = q;
     return point;
+}
+
+std::optional<PathPoint> Corrector::solve_goal(const Frame& frame, const Crossing& crossing, const PathPoint& from,
+                                               const PathPoint& to, State guess) {
+    const Goal& goal = *crossing.goal;
+    if (goal.has_slope) return solve_at(frame, goal.constraint, goal.target, std::move(guess));
+    const auto missing = [&](const PathPoint& point) { return value_of(goal.constraint, point) - goal.target; };
+    const PathPoint *low = &from, *high = &to;
+    std::optional<PathPoint> before, found;
+    double at_low = missing(from), at_high = missing(to);
+    int same_side = 0;  // the secant's end that stays is weighed half, that both ends move (Illinois)
+    for (int i = 0; i < goal_solves && std::abs(at_high) > goal_accuracy * std::abs(goal.target); ++i) {
+        const double share = std::clamp(at_low / (at_low - at_high), least_share, 1.0 - least_share);
+        auto point = solve_between(frame, *low, *high, low->q + share * (high->q - low->q));
+        if (!point) return std::nullopt;
+        const double value = missing(*point);
+        const bool beyond = value * missing(to) >= 0.0;
+        same_side = beyond ? std::max(same_side, 0) + 1 : std::min(same_side, 0) - 1;
+        (beyond ? found : before) = std::move(point);
+        (beyond ? at_high : at_low) = value;
+        (beyond ? high : low) = beyond ? &*found : &*before;
+        if (std::abs(same_side) > 1) (beyond ? at_low : at_high) *= 0.5;
+    }
+    return found;
 }
 
 PathPoint Corrector::measure(const Frame& frame, State state, PathTangent tangent) {

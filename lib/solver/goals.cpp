@@ -50,6 +50,7 @@ std::optional<Crossing> first_reached(const std::vector<Goal>& goals, const Path
                                       double begin, double end) {
     std::optional<Crossing> first;
     for (const auto& goal : goals) {
+        if (begin == last.q && !goal.has_slope) continue;  // it cannot be extrapolated
         const auto q = first_meeting({goal, before, last}, begin, end);
         if (q && (!first || *q < first->q)) first = Crossing{&goal, *q};
     }
@@ -87,7 +88,8 @@ Goal make_goal(const model::Case& input, const model::Until& until, const StageL
     constraint.index = static_cast<std::size_t>(output - input.outputs.begin());
     const model::MeasureUnit& unit = model::unit_of(output->measure);
     return {constraint, until.value,
-            until.quantity + " of " + short_text(until.value / unit.SI_per_shown) + " " + std::string{unit.shown}};
+            until.quantity + " of " + short_text(until.value / unit.SI_per_shown) + " " + std::string{unit.shown},
+            model::has_slope(output->measure)};
 }
 
 }  // namespace

@@ -13,6 +13,8 @@ struct Goal {
     Constraint constraint;  ///< prescribes the quantity at `target`; never arc
     double target = 0;
     std::string text;  ///< "elongation of 130 mm", for the message
+    bool has_slope =
+        true;  ///< whether the constraint can be solved for; otherwise its quantity is known at states alone
 };
 
 /// Throws Error (bad_input) for an `until` quantity that the case does not have.
@@ -24,7 +26,7 @@ struct Crossing {
     double q = 0;  ///< where the cubic through the two points (or the tangent) meets the target
 };
 
-/// The first goal reached for last.q < q <= q_end by the predictor from (`before`, `last`); nullopt if none is reached.
+/// The first goal with a slope reached for last.q < q <= q_end by the predictor from (`before`, `last`); nullopt if none is reached.
 [[nodiscard]] std::optional<Crossing> first_predicted(const std::vector<Goal>& goals, const PathPoint* before,
                                                       const PathPoint& last, double q_end);
 

@@ -150,8 +150,8 @@ void PathFollower::step() {
     const Goal* goal = aim.crossing && !contact ? aim.crossing->goal : nullptr;
     if (const auto passed = goal != nullptr ? std::nullopt : first_between(path_.goals, *path_.last, *point)) {
         goal = passed->goal;
-        point = corrector_.solve_at(frame_of(path_), goal->constraint, goal->target,
-                                    predict(&*path_.last, *point, passed->q));
+        point = corrector_.solve_goal(frame_of(path_), *passed, *path_.last, *point,
+                                      predict(&*path_.last, *point, passed->q));
         if (!point) return recover();
         touch.reset();
     }
@@ -301,8 +301,8 @@ void PathFollower::recover() {
         if (const auto crossing = first_between(path_.goals, *path_.last, *point)) {
             const double way = (crossing->q - path_.last->q) / (point->q - path_.last->q);
             goal = crossing->goal;
-            point = corrector_.solve_at(frame_of(path_), goal->constraint, goal->target,
-                                        between(path_.last->state, point->state, way));
+            point = corrector_.solve_goal(frame_of(path_), *crossing, *path_.last, *point,
+                                          between(path_.last->state, point->state, way));
         }
         if (point) return go_on_from(std::move(*point), goal, "passed a kink to ");
     }
