@@ -21,12 +21,16 @@ constexpr double aim = 0.5;
 /// A failed trial ends a run of the optimizer.
 struct TrialFailed {};
 
+/// What a run of the optimizer minimizes: the objective under the conditions, or the largest violation of a condition.
+enum class Minimize { objective, largest_violation };
+
 /// The conditions as g <= 0: an equality is two of them. Without an objective the equalities are the objective.
 struct Inequality {
     std::size_t condition;
     double sign, bound;  ///< sign value / scale - bound
 };
-std::vector<Inequality> inequalities(const Goal& goal) {
+std::vector<Inequality> inequalities(const Goal& goal, Minimize minimize) {
+    const double aimed = minimize == Minimize::objective ? aim : 1.0;
     std::vector<Inequality> all;
     for (std::size_t i = 0; i < goal.conditions.size(); ++i) {
         const Condition& c = goal.conditions[i];
@@ -34,8 +38,8 @@ std::vector<Inequality> inequalities(const Goal& goal) {
         if (c.relation == Condition::Relation::below) all.push_back({i, 1, unit});
         if (c.relation == Condition::Relation::above) all.push_back({i, -1, -unit});
         if (c.relation == Condition::Relation::equal && goal.minimize) {
-            all.push_back({i, 1, unit + aim * c.within});
-            all.push_back({i, -1, -unit + aim * c.within});
+            all.push_back({i, 1, unit + aimed * c.within});
+            all.push_back({i, -1, -unit + aimed * c.within});
         }
     }
     return all;
@@ -43,8 +47,8 @@ std::vector<Inequality> inequalities(const Goal& goal) {
 
 /// Whether the search could continue beyond a side of the box.
 enum class InBox { ends_inside, ends_at_its_side };
-/// Raises `best`, the best trial of this start.
-InBox run_in_box(const Goal& goal, Record& record, const std::vector<double>& start, double half,
+/// Raises `best`, the best trial of this start. The largest violation t is one more variable: minimize t, all g <= t.
+InBox run_in_box(const Goal& goal, Record& record, Minimize minimize, const std::vector<double>& start, double half,
                  std::optional<Found>& best) {
     const UnitCube cube(goal, start);
     const std::size_t n = cube.size();
@@ -63,7 +67,14 @@ InBox run_in_box(const Goal& goal, Record& record, const std::vector<double>& st
     };
     const double first = std::abs(record.objective(trial_at(point.data()), nullptr));
     const double scale = first > 0 ? 1 / first : 1;
-    const std::vector<Inequality> constraints = inequalities(goal);
+    const std::vector<Inequality> constraints = inequalities(goal, minimize);
+    const bool is_violation = minimize == Minimize::largest_violation;
+    if (is_violation) {
+        low.push_back(0);
+        high.push_back(HUGE_VAL);
+        point.push_back(best->violation);
+    }
+    const std::size_t all = point.size();
 
     // An exception does not pass through NLopt: it is kept, the search is stopped, and it is thrown again.
     std::exception_ptr thrown;
@@ -77,6 +88,11 @@ InBox run_in_box(const Goal& goal, Record& record, const std::vector<double>& st
     };
     using Objective = std::function<double(const double*, double*)>;
     Objective value = [&](const double* u, double* gradient) {
+        if (is_violation) {
+            if (gradient != nullptr) std::fill_n(gradient, n, 0.0);
+            if (gradient != nullptr) gradient[n] = 1;
+            return u[n];
+        }
         double found = 0;
         kept([&] {
             std::vector<double> slopes;
@@ -92,12 +108,14 @@ InBox run_in_box(const Goal& goal, Record& record, const std::vector<double>& st
             for (std::size_t i = 0; i < constraints.size(); ++i) {
                 const auto& [condition, sign, bound] = constraints[i];
                 const double unit = 1 / goal.conditions[condition].scale_SI;
-                result[i] = sign * trial.conditions[condition].value_SI * unit - bound;
-                if (gradient != nullptr) cube.fill(trial.conditions[condition].gradient, sign * unit, gradient + i * n);
+                result[i] = sign * trial.conditions[condition].value_SI * unit - bound - (is_violation ? u[n] : 0);
+                if (gradient == nullptr) continue;
+                cube.fill(trial.conditions[condition].gradient, sign * unit, gradient + i * all);
+                if (is_violation) gradient[i * all + n] = -1;
             }
         });
     };
-    nlopt::opt optimizer(nlopt::LD_SLSQP, static_cast<unsigned>(n));
+    nlopt::opt optimizer(nlopt::LD_SLSQP, static_cast<unsigned>(all));
     optimizer.set_lower_bounds(low);
     optimizer.set_upper_bounds(high);
     optimizer.set_min_objective([](unsigned, const double* u, double* gradient,
@@ -128,16 +146,15 @@ InBox run_in_box(const Goal& goal, Record& record, const std::vector<double>& st
     return InBox::ends_inside;
 }
 
-}  // namespace
-
-void run_quadratic_programming(const Goal& goal, Record& record, const std::vector<double>& start) {
+/// Runs in boxes that follow the best trial and halve where a trial fails.
+void run_in_boxes(const Goal& goal, Record& record, Minimize minimize, const std::vector<double>& start,
+                  std::optional<Found>& best) {
     std::vector<double> centre = start;
-    std::optional<Found> best;
     double half = 1;
     for (int restart = 0; restart < max_restarts; ++restart) {
         const std::optional<Found> before = best;
         try {
-            if (run_in_box(goal, record, centre, half, best) == InBox::ends_inside) return;
+            if (run_in_box(goal, record, minimize, centre, half, best) == InBox::ends_inside) return;
         } catch (const TrialFailed&) {
             half *= 0.5;
         }
@@ -148,6 +165,17 @@ void run_quadratic_programming(const Goal& goal, Record& record, const std::vect
             if (gains_little || half < smallest_half) return;
         }
     }
+}
+
+}  // namespace
+
+void run_quadratic_programming(const Goal& goal, Record& record, const std::vector<double>& start) {
+    std::optional<Found> best;
+    run_in_boxes(goal, record, Minimize::objective, start, best);
+    const auto is_violated = [&] { return goal.minimize && best && best->violation > 0; };
+    if (!is_violated()) return;
+    run_in_boxes(goal, record, Minimize::largest_violation, std::vector(best->values), best);
+    if (!is_violated()) run_in_boxes(goal, record, Minimize::objective, std::vector(best->values), best);
 }
 
 }  // namespace soft::optimize

@@ -122,10 +122,13 @@ public:
         const auto crossings = path_->crossings(at_, path_->within_reach(at_, post::in_column_unit(at, measure.at_SI)));
         if (crossings.empty()) {
             const auto [lowest, highest] = path_->range(at_);
+            const bool has_limit = !solved_.end.limit_points.empty();
             throw Error(ExitCode::stopped_early, measure.text,
                         "the path reaches " + measure.at + " " + post::value_text(at, lowest) + " to " +
-                            post::value_text(at, highest) + " (" + std::string{model::name(solved_.end.reason)} + ")",
-                        "request a larger load, or start nearer");
+                            post::value_text(at, highest) + " (" + std::string{model::name(solved_.end.reason)} +
+                            (has_limit ? ", past a limit point)" : ")"),
+                        has_limit ? "ask for less than its limit load, or start nearer"
+                                  : "request a larger load, or start nearer");
         }
         std::vector<double> row = path_->at(crossings.front());
         const double SI_per_unit = curve_.columns[shown_].SI_per_unit;

@@ -64,6 +64,21 @@ TEST(Search, ReturnsTheNearestWhereNothingMeetsTheConditions) {
     EXPECT_NEAR(found.violation, 0.8, 2e-3);
 }
 
+TEST(Search, TheNearestOfAMinimumHasTheSmallestLargestViolation) {
+    // x^2 = 1 and x^2 = 3: (x^2 - 1) / 1 = (3 - x^2) / 3 at x^2 = 1.5; the objective y then counts no more.
+    const Goal goal =
+        goal_of({variable("x", 0.1, 4), variable("y", 0, 1)}, {condition(equal, 1), condition(equal, 3)}, true);
+    const auto square = [](const std::vector<double>& v) {
+        const Trial::Value x2{v[0] * v[0], {2 * v[0], 0}};
+        return Trial{"", {x2, x2}, {v[1], {0, 1}}, true};
+    };
+    for (const double start : {0.2, 3.0}) {
+        const Found found = search(goal, {start, 0.7}, {1}, square, silent);
+        EXPECT_NEAR(found.values[0] * found.values[0], 1.5, 1e-3);
+        EXPECT_NEAR(found.violation, 0.499, 1e-3);
+    }
+}
+
 TEST(Search, TheNearestCountsTheTargetsByWhatTheyAllow) {
     // x = 1 within 0.5 % and x = 1.2 within 2 %, x below 2: the weighted mean of both, not the middle of the differences
     const Goal goal = goal_of({variable("x", 0.5, 3)},
