@@ -4,13 +4,6 @@ namespace soft::contact {
 
 namespace {
 
-/// Radius over the size of a facet.
-constexpr double on_the_axis = 1e-9;
-
-bool is_on_axis(const surface::FacetMap::Value& undeformed) {
-    return undeformed.x[1] <= on_the_axis * norm(undeformed.t1);
-}
-
 Vector3 unit_vector(std::size_t i) {
     Vector3 e{};
     e[i] = 1;
@@ -29,7 +22,7 @@ double area_stretch(const Patch& undeformed, const Patch& now, const surface::Fa
     const auto before = undeformed(xi), at = now(xi);
     const double along = norm(cross(at.t1, at.t2)) / norm(cross(before.t1, before.t2));
     if (!is_revolved) return along;
-    return along * (is_on_axis(before) ? along : at.x[1] / before.x[1]);
+    return along * (is_on_axis(before.x[1], norm(before.t1)) ? along : at.x[1] / before.x[1]);
 }
 
 AreaFactor area_factor(double stretch) {
@@ -51,7 +44,7 @@ AreaStretch area_stretch(const ContactSurface::Entry& entry, const Patch& now, s
     const Vector3 c = cross(at.t1, at.t2);
     const double length = norm(c), undeformed = norm(cross(before.t1, before.t2));
     // On the axis the stretch of the circumference is that along the meridian.
-    const bool on_axis = surface.is_revolved() && is_on_axis(before);
+    const bool on_axis = surface.is_revolved() && is_on_axis(before.x[1], norm(before.t1));
     double ratio = 1, by_radius_1_m = 0;
     if (on_axis) {
         ratio = length / undeformed;

@@ -24,10 +24,8 @@ struct AreaFactor {
 /// psi with its derivatives by the positions of the facet's nodes.
 struct AreaStretch {
     double stretch = 1, factor = 1;  ///< J, psi
-    std::vector<double>
-        gradient;                 ///< [1/m] [component][node]; empty where the factor is constant, and on the axis of a
-                                  ///< body of revolution, where sample points have no area
-    std::vector<double> hessian;  ///< [1/m^2] square, row-major; empty if not wanted
+    std::vector<double> gradient;    ///< [1/m] [component][node]; empty where the factor is constant
+    std::vector<double> hessian;     ///< [1/m^2] square, row-major; empty if not wanted
 };
 
 /// `now`: the facet of `entry`.

@@ -19,7 +19,8 @@ inline constexpr double continued = 0.2;
 inline constexpr double cubic = 50;  ///< h times a sixth of the third derivative where the polynomial begins, about
 inline constexpr double quintic = 1000, quintic_up_to = 1.5;
 
-/// A point inside of an edge is behind both sides. Only the closer one stops it there (features.hpp).
+/// A point inside of a convex edge is behind both of its sides. Only the closest part of a connected surface (Feature::group) has the term of
+/// fifth degree: the sum over the parts (features.hpp) would attract with it. Where the closest part changes there, the force has a kink.
 enum class Nearness { closest, other };
 
 /// h > 0

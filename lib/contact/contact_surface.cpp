@@ -26,9 +26,10 @@ constexpr double thickest_wall_in_facets = 3;
 /// equilibrium unstable unless its force over its gap is small against the stiffness of the cells.
 constexpr int line_parts = 4, quadrilateral_parts = 3;
 /// Points on [-1, 1] with their weights. The root is that of 3/7.
-using LineRule = std::vector<std::array<double, 2>>;
-const LineRule simpson{{-1, 1.0 / 3}, {0, 4.0 / 3}, {1, 1.0 / 3}},
-    lobatto{{-1, 0.1}, {-0.65465367070797714, 49.0 / 90}, {0, 32.0 / 45}, {0.65465367070797714, 49.0 / 90}, {1, 0.1}};
+using LinePoint = std::array<double, 2>;
+constexpr std::array simpson{LinePoint{-1, 1.0 / 3}, LinePoint{0, 4.0 / 3}, LinePoint{1, 1.0 / 3}};
+constexpr std::array lobatto{LinePoint{-1, 0.1}, LinePoint{-0.65465367070797714, 49.0 / 90}, LinePoint{0, 32.0 / 45},
+                             LinePoint{0.65465367070797714, 49.0 / 90}, LinePoint{1, 0.1}};
 /// k over the larger of E_0 and the pressure.
 constexpr double stiffness_share = 0.1;
 
@@ -43,8 +44,8 @@ void add_point(SampleRule& rule, const FacetPoint& xi, double weight) {
 }
 
 /// The rule in each of so many equal parts of [-1, 1]; points that two parts share come twice.
-LineRule in_parts(const LineRule& rule, int parts) {
-    LineRule all;
+std::vector<LinePoint> in_parts(std::span<const LinePoint> rule, int parts) {
+    std::vector<LinePoint> all;
     for (int part = 0; part < parts; ++part)
         for (const auto& [s, w] : rule) all.push_back({(2 * part + 1 + s) / parts - 1, w / parts});
     return all;
@@ -113,9 +114,9 @@ bool has_facing_points(const ContactSurface::Entry& entry, const ContactSurface:
 void weigh_point_on_axis(ContactSurface::Entry& entry) {
     std::vector<std::size_t> outward(entry.X.size());
     std::iota(outward.begin(), outward.end(), 0);
-    std::ranges::sort(outward, {}, [&](std::size_t q) { return entry.X[q][1]; });
+    std::ranges::partial_sort(outward, outward.begin() + 2, {}, [&](std::size_t q) { return entry.X[q][1]; });
     const Point &tip = entry.X[outward[0]], &next = entry.X[outward[1]];
-    if (tip[1] > touching_share_of_size * entry.size_m) return;
+    if (!is_on_axis(tip[1], entry.size_m)) return;
     const double moved_m2 = 0.25 * std::numbers::pi * norm(difference(next, tip)) * next[1];
     entry.weight_m2[outward[0]] += moved_m2;
     entry.weight_m2[outward[1]] -= moved_m2;

@@ -30,6 +30,11 @@ inline constexpr double overlap_share_of_size = 0.2;
 /// Of a facet's size: closer, surfaces touch, as the direction of the gap is lost in rounding.
 inline constexpr double touching_share_of_size = 1e-6;
 
+/// Whether a point at this radius lies on the axis of revolution, on a facet of this size.
+[[nodiscard]] inline bool is_on_axis(double radius_m, double size_m) {
+    return radius_m <= touching_share_of_size * size_m;
+}
+
 /// How two facets of the actuator lie to each other in the undeformed state. Sides of a groove are neighbours with air between them; between
 /// the sides of a wall, or of one cell, is rubber.
 enum class Adjacency { apart, neighbours, sides_of_a_groove, sides_of_a_wall };

@@ -252,12 +252,14 @@ void FacetContact::add_features_of(std::size_t q, const Point& x, std::span<cons
                                          std::max(entry_.h_m[q], overlap_share_of_size * entry_.size_m));
         if (feature.closest.distance_m < farthest &&
             (groups[feature.group].is_passed || !is_behind(feature, at_.patches, x)))
-            add_feature(q, x, feature, reaches.of(feature));
+            add_feature(q, x, feature, reaches.of(feature),
+                        groups[feature.group].closest == &feature ? Nearness::closest : Nearness::other);
     }
 }
 
 /// The derivatives of the distance d follow from those of f = d^2/2: grad d = n and d hess d = hess f - n n^T.
-void FacetContact::add_feature(std::size_t q, const Point& x, const Feature& feature, const Reach& reach) {
+void FacetContact::add_feature(std::size_t q, const Point& x, const Feature& feature, const Reach& reach,
+                               Nearness nearness) {
     const auto& other = at_.surface.entries()[feature.facet];
     const bool itself = other.obstacle < 0;
     const double h = entry_.h_m[q], distance = feature.closest.distance_m;
@@ -269,8 +271,7 @@ void FacetContact::add_feature(std::size_t q, const Point& x, const Feature& fea
     const bool acts = gap < reach.own_m && reach.own_m > no_gap * h,
                other_acts = feature.is_closest && gap_other < reach.other_m && reach.other_m > no_gap * h;
     if (!acts && !other_acts) return;
-    const Barrier b =
-        acts ? barrier(gap, reach.own_m, feature.is_closest ? Nearness::closest : Nearness::other) : Barrier{};
+    const Barrier b = acts ? barrier(gap, reach.own_m, nearness) : Barrier{};
     const AreaStretch& stretch = stretch_at(q);
     const double share = itself ? 0.5 : 1.0,
                  undeformed = feature.coefficient * share * entry_.weight_m2[q] * entry_.stiffness_Pa,

@@ -82,7 +82,8 @@ private:
     [[nodiscard]] bool is_beside(std::size_t q, const mesh::Point& x, const Feature& facet) const;
     /// Whether the point has passed through the facet closest to it.
     [[nodiscard]] bool has_passed(std::size_t q, const mesh::Point& x, const Feature& closest) const;
-    void add_feature(std::size_t q, const mesh::Point& x, const Feature& feature, const Reach& reach);
+    void add_feature(std::size_t q, const mesh::Point& x, const Feature& feature, const Reach& reach,
+                     Nearness nearness);
     void add_smooth(std::size_t q, const mesh::Point& x, const ObstacleDistance& obstacle);
     void add_friction(const Friction::Point& point);
     /// Contact pressure per deformed area that a barrier causes at a sample point, and at a point of another facet of the actuator.

@@ -216,8 +216,9 @@ bool Potential::Parts::passes_through(const Motion& motion) const {
     };
     for (std::size_t i = 0; i < surface.free_count(); ++i)
         for (const ObstacleDistance* obstacle : obstacles_near(i, motion))
-            for (std::size_t q = 0; q < surface.entries()[i].X.size() && obstacle->index >= 0; ++q)
-                if (passes(i, q, *obstacle)) return true;
+            if (obstacle->index >= 0)  // a mirror plane has one side
+                for (std::size_t q = 0; q < surface.entries()[i].X.size(); ++q)
+                    if (passes(i, q, *obstacle)) return true;
     return false;
 }
 
@@ -300,6 +301,11 @@ std::vector<double> Potential::nodal_pressures_Pa(std::span<const Point> positio
     return nodal_Pa;
 }
 
+std::size_t Potential::sample_points() const {
+    std::size_t points = 0;
+    for (const auto& entry : parts_->surface.entries().first(parts_->surface.free_count())) points += entry.X.size();
+    return points;
+}
 bool Potential::has_friction() const { return !is_empty() && !parts_->friction.is_empty(); }
 
 bool Potential::start_friction(std::span<const Point> positions, std::span<const Vector3> shifts,

@@ -85,6 +85,8 @@ public:
                                                          std::span<const Vector3> shifts);
 
     [[nodiscard]] bool has_friction() const;
+    /// Number of sample points of all facets: slips of another number belong to another mesh or version.
+    [[nodiscard]] std::size_t sample_points() const;
     /// Starts a step at this configuration. False if a slip is not that of a sample point.
     [[nodiscard]] bool start_friction(std::span<const mesh::Point> positions, std::span<const Vector3> shifts,
                                       const FrictionState& from, const Take& take);
@@ -98,7 +100,7 @@ public:
     [[nodiscard]] double share_without_crossing(std::span<const mesh::Point> from, std::span<const Vector3> shifts,
                                                 std::span<const mesh::Point> to, std::span<const Vector3> shifts_to);
 
-    /// Whether a sample point, on the straight way from one configuration to the other, passes through an obstacle, to another side of it.
+    /// Whether a sample point, on the straight way from one configuration to the other, passes through an obstacle, to another side of it, or more than h deep through its edge.
     [[nodiscard]] bool passes_through(std::span<const mesh::Point> from, std::span<const Vector3> shifts,
                                       std::span<const mesh::Point> to, std::span<const Vector3> shifts_to) const;
 

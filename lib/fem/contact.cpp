@@ -111,13 +111,13 @@ void Contact::start_friction(Vec x) {
 }
 
 bool Contact::start_friction(Vec x, std::span<const double> from) {
-    constexpr std::size_t numbers = 7;
+    constexpr std::size_t numbers = 7, head = 2;
     if (!has_friction()) return from.empty();
-    if (from.size() % numbers != 1) return false;
+    if (from.size() % numbers != head || from[1] != static_cast<double>(potential_.sample_points())) return false;
     state_.read(x);
     read_positions();
     contact::FrictionState start{{}, fe_.rank == 0 ? from[0] : 0.0};
-    for (std::size_t i = 1; i < from.size(); i += numbers) {
+    for (std::size_t i = head; i < from.size(); i += numbers) {
         const auto n = from.subspan(i, numbers);
         if (std::ranges::any_of(n.first(2), [](double index) { return !(index >= 0 && index < 1e9); }) ||
             std::abs(n[2]) > 1e6)
@@ -144,7 +144,7 @@ std::vector<double> Contact::friction_start() const {
     double dissipated_J = own.dissipated_J;
     MPI_Allreduce(MPI_IN_PLACE, &dissipated_J, 1, MPI_DOUBLE, MPI_SUM, fe_.comm);
     values = linalg::gather_all(values, MPI_DOUBLE, fe_.comm);
-    values.insert(values.begin(), dissipated_J);
+    values.insert(values.begin(), {dissipated_J, static_cast<double>(potential_.sample_points())});
     return values;
 }
 

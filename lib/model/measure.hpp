@@ -158,7 +158,7 @@ static_assert(std::ranges::is_sorted(measures, {}, &MeasureInfo::measure), "in t
 
 /// True for angles, which are continued beyond pi along a path.
 [[nodiscard]] constexpr bool is_angle(Measure measure) { return unit_of(measure).dimension == core::Dimension::angle; }
-/// Whether the solver knows its slope along the path; those of sums over sample points in contact jump.
+/// Whether the solver knows its slope along the path; not that of sums and largest values over sample points in contact.
 [[nodiscard]] constexpr bool has_slope(Measure measure) {
     return measure != Measure::contact_area && measure != Measure::contact_pressure;
 }

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <functional>
 #include <nlopt.hpp>
 
 #include "optimize/record.hpp"
@@ -47,100 +46,120 @@ std::vector<Inequality> inequalities(const Goal& goal, Minimize minimize) {
 
 /// Whether the search could continue beyond a side of the box.
 enum class InBox { ends_inside, ends_at_its_side };
-/// Raises `best`, the best trial of this start. The largest violation t is one more variable: minimize t, all g <= t.
-InBox run_in_box(const Goal& goal, Record& record, Minimize minimize, const std::vector<double>& start, double half,
-                 std::optional<Found>& best) {
-    const UnitCube cube(goal, start);
-    const std::size_t n = cube.size();
-    std::vector<double> point = cube.start(), low(n), high(n);
-    for (std::size_t k = 0; k < n; ++k) {
-        low[k] = std::max(0.0, point[k] - half);
-        high[k] = std::min(1.0, point[k] + half);
-    }
-    const auto trial_at = [&](const double* u) -> const Trial& {
-        std::vector<double> values = cube.values_at(u);
-        const Trial& trial = record.at(values);
-        if (!trial.failure.empty()) throw TrialFailed();
-        const Found found = record.found_of(values, trial);
-        if (!best || record.is_better(found, *best)) best = found;
-        return trial;
-    };
-    const double first = std::abs(record.objective(trial_at(point.data()), nullptr));
-    const double scale = first > 0 ? 1 / first : 1;
-    const std::vector<Inequality> constraints = inequalities(goal, minimize);
-    const bool is_violation = minimize == Minimize::largest_violation;
-    if (is_violation) {
-        low.push_back(0);
-        high.push_back(HUGE_VAL);
-        point.push_back(best->violation);
-    }
-    const std::size_t all = point.size();
 
-    // An exception does not pass through NLopt: it is kept, the search is stopped, and it is thrown again.
-    std::exception_ptr thrown;
-    const auto kept = [&thrown](const auto& work) {
-        try {
-            work();
-        } catch (...) {
-            thrown = std::current_exception();
-            throw nlopt::forced_stop();
+/// A run of the optimizer in a box about a start. The largest violation t is one more variable: minimize t with all g <= t.
+class Box {
+public:
+    /// Raises `best`, the best trial of this start.
+    Box(const Goal& goal, Record& record, Minimize minimize, const std::vector<double>& start, double half,
+        std::optional<Found>& best)
+        : goal_(goal),
+          record_(record),
+          best_(best),
+          cube_(goal, start),
+          point_(cube_.start()),
+          is_violation_(minimize == Minimize::largest_violation),
+          constraints_(inequalities(goal, minimize)) {
+        for (const double u : point_) {
+            low_.push_back(std::max(0.0, u - half));
+            high_.push_back(std::min(1.0, u + half));
         }
-    };
-    using Objective = std::function<double(const double*, double*)>;
-    Objective value = [&](const double* u, double* gradient) {
-        if (is_violation) {
+        if (!is_violation_) return;
+        point_.push_back(best->violation);
+        low_.push_back(0);
+        high_.push_back(HUGE_VAL);
+    }
+
+    InBox run();
+
+private:
+    const Trial& trial_at(const double* u) {
+        std::vector<double> values = cube_.values_at(u);
+        const Trial& trial = record_.at(values);
+        if (!trial.failure.empty()) throw TrialFailed();
+        const Found found = record_.found_of(values, trial);
+        if (!best_ || record_.is_better(found, *best_)) best_ = found;
+        return trial;
+    }
+    double objective(const double* u, double* gradient) {
+        const std::size_t n = cube_.size();
+        if (is_violation_) {
             if (gradient != nullptr) std::fill_n(gradient, n, 0.0);
             if (gradient != nullptr) gradient[n] = 1;
             return u[n];
         }
-        double found = 0;
-        kept([&] {
-            std::vector<double> slopes;
-            found = scale * record.objective(trial_at(u), gradient == nullptr ? nullptr : &slopes);
-            if (gradient != nullptr) cube.fill(slopes, scale, gradient);
-        });
-        return found;
-    };
-    using Constraints = std::function<void(double*, const double*, double*)>;
-    Constraints differences = [&](double* result, const double* u, double* gradient) {
-        kept([&] {
-            const Trial& trial = trial_at(u);
-            for (std::size_t i = 0; i < constraints.size(); ++i) {
-                const auto& [condition, sign, bound] = constraints[i];
-                const double unit = 1 / goal.conditions[condition].scale_SI;
-                result[i] = sign * trial.conditions[condition].value_SI * unit - bound - (is_violation ? u[n] : 0);
-                if (gradient == nullptr) continue;
-                cube.fill(trial.conditions[condition].gradient, sign * unit, gradient + i * all);
-                if (is_violation) gradient[i * all + n] = -1;
-            }
-        });
-    };
-    nlopt::opt optimizer(nlopt::LD_SLSQP, static_cast<unsigned>(all));
-    optimizer.set_lower_bounds(low);
-    optimizer.set_upper_bounds(high);
-    optimizer.set_min_objective([](unsigned, const double* u, double* gradient,
-                                   void* data) { return (*static_cast<const Objective*>(data))(u, gradient); },
-                                &value);
-    if (!constraints.empty())
-        optimizer.add_inequality_mconstraint(
-            [](unsigned, double* result, unsigned, const double* u, double* gradient, void* data) {
-                (*static_cast<const Constraints*>(data))(result, u, gradient);
-            },
-            &differences, std::vector<double>(constraints.size(), 0.0));
+        std::vector<double> slopes;
+        const double value = scale_ * record_.objective(trial_at(u), gradient == nullptr ? nullptr : &slopes);
+        if (gradient != nullptr) cube_.fill(slopes, scale_, gradient);
+        return value;
+    }
+    void differences(double* result, const double* u, double* gradient) {
+        const Trial& trial = trial_at(u);
+        const std::size_t n = cube_.size();
+        for (std::size_t i = 0; i < constraints_.size(); ++i) {
+            const auto& [condition, sign, bound] = constraints_[i];
+            const double unit = 1 / goal_.conditions[condition].scale_SI;
+            result[i] = sign * trial.conditions[condition].value_SI * unit - bound - (is_violation_ ? u[n] : 0);
+            if (gradient == nullptr) continue;
+            double* row = gradient + i * point_.size();
+            cube_.fill(trial.conditions[condition].gradient, sign * unit, row);
+            if (is_violation_) row[n] = -1;
+        }
+    }
+    /// An exception does not pass through NLopt: it is kept, the search is stopped, and it is thrown again.
+    void keep_exception(const auto& work) {
+        try {
+            work();
+        } catch (...) {
+            thrown_ = std::current_exception();
+            throw nlopt::forced_stop();
+        }
+    }
+    static double objective_of(unsigned, const double* u, double* gradient, void* box) {
+        double value = 0;
+        auto& own = *static_cast<Box*>(box);
+        own.keep_exception([&] { value = own.objective(u, gradient); });
+        return value;
+    }
+    static void differences_of(unsigned, double* result, unsigned, const double* u, double* gradient, void* box) {
+        auto& own = *static_cast<Box*>(box);
+        own.keep_exception([&] { own.differences(result, u, gradient); });
+    }
+
+    const Goal& goal_;
+    Record& record_;
+    std::optional<Found>& best_;
+    UnitCube cube_;
+    std::vector<double> point_, low_, high_;
+    bool is_violation_;
+    std::vector<Inequality> constraints_;
+    double scale_ = 1;
+    std::exception_ptr thrown_;
+};
+
+InBox Box::run() {
+    const double first = std::abs(record_.objective(trial_at(point_.data()), nullptr));
+    if (first > 0) scale_ = 1 / first;
+    nlopt::opt optimizer(nlopt::LD_SLSQP, static_cast<unsigned>(point_.size()));
+    optimizer.set_lower_bounds(low_);
+    optimizer.set_upper_bounds(high_);
+    optimizer.set_min_objective(objective_of, this);
+    if (!constraints_.empty())
+        optimizer.add_inequality_mconstraint(differences_of, this, std::vector<double>(constraints_.size(), 0.0));
     optimizer.set_xtol_rel(step_tolerance);
     optimizer.set_ftol_rel(value_tolerance);
     optimizer.set_maxeval(max_trials_of_a_start);
     double smallest = 0;
     try {
-        static_cast<void>(optimizer.optimize(point, smallest));
+        static_cast<void>(optimizer.optimize(point_, smallest));
     } catch (const nlopt::forced_stop&) {
-        std::rethrow_exception(thrown);
+        std::rethrow_exception(thrown_);
     } catch (const std::runtime_error&) {  // "nlopt failure", roundoff: no progress from here
     }
-    for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t k = 0; k < cube_.size(); ++k) {
         constexpr double at_bound = 1e-6;
-        const bool stopped_low = point[k] - low[k] < at_bound && low[k] > 0,
-                   stopped_high = high[k] - point[k] < at_bound && high[k] < 1;
+        const bool stopped_low = point_[k] - low_[k] < at_bound && low_[k] > 0,
+                   stopped_high = high_[k] - point_[k] < at_bound && high_[k] < 1;
         if (stopped_low || stopped_high) return InBox::ends_at_its_side;
     }
     return InBox::ends_inside;
@@ -154,11 +173,12 @@ void run_in_boxes(const Goal& goal, Record& record, Minimize minimize, const std
     for (int restart = 0; restart < max_restarts; ++restart) {
         const std::optional<Found> before = best;
         try {
-            if (run_in_box(goal, record, minimize, centre, half, best) == InBox::ends_inside) return;
+            if (Box(goal, record, minimize, centre, half, best).run() == InBox::ends_inside) return;
         } catch (const TrialFailed&) {
             half *= 0.5;
         }
         if (best) centre = best->values;
+        if (minimize == Minimize::largest_violation && record.of_conditions(best->trial) == 0) return;
         if (before && before->violation <= 0 && goal.minimize) {  // what limits the trials is where they fail
             const double was = record.objective(before->trial, nullptr), is = record.objective(best->trial, nullptr);
             const bool gains_little = is != was && std::abs(is - was) <= restart_tolerance * std::abs(was);
@@ -172,7 +192,7 @@ void run_in_boxes(const Goal& goal, Record& record, Minimize minimize, const std
 void run_quadratic_programming(const Goal& goal, Record& record, const std::vector<double>& start) {
     std::optional<Found> best;
     run_in_boxes(goal, record, Minimize::objective, start, best);
-    const auto is_violated = [&] { return goal.minimize && best && best->violation > 0; };
+    const auto is_violated = [&] { return goal.minimize && best && record.of_conditions(best->trial) > 0; };
     if (!is_violated()) return;
     run_in_boxes(goal, record, Minimize::largest_violation, std::vector(best->values), best);
     if (!is_violated()) run_in_boxes(goal, record, Minimize::objective, std::vector(best->values), best);

@@ -25,10 +25,14 @@ const Trial& Record::at(const std::vector<double>& values) {
 }
 
 Found Record::found_of(const std::vector<double>& values, const Trial& trial) const {
-    Found found{values, trial, of_bounds(trial), static_cast<int>(trials_.size())};
+    return {values, trial, std::max(of_bounds(trial), of_conditions(trial)), static_cast<int>(trials_.size())};
+}
+
+double Record::of_conditions(const Trial& trial) const {
+    double largest = 0;
     for (std::size_t i = 0; i < goal_.conditions.size(); ++i)
-        found.violation = std::max(found.violation, violation_of(goal_.conditions[i], trial.conditions[i].value_SI));
-    return found;
+        largest = std::max(largest, violation_of(goal_.conditions[i], trial.conditions[i].value_SI));
+    return largest;
 }
 
 double Record::of_bounds(const Trial& trial) const {

@@ -25,11 +25,13 @@ public:
     /// The measure to be minimized, or the sum of the squared differences from the targets over what is allowed; gradient by the
     /// variables, SI.
     double objective(const Trial& trial, std::vector<double>* gradient) const;
+    /// The largest violation of a condition, stability aside.
+    [[nodiscard]] double of_conditions(const Trial& trial) const;
     /// Throws Error (bad_input) if no trial succeeded, with the first failure.
     [[nodiscard]] Found result() const;
 
 private:
-    /// The largest violation of a condition that is not a target.
+    /// The largest violation of what is not a target.
     [[nodiscard]] double of_bounds(const Trial& trial) const;
 
     const Goal& goal_;

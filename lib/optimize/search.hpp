@@ -6,7 +6,7 @@
 /// On request a global search precedes the last one: dividing rectangles, locally biased (DIRECT-L of NLopt; Gablonsky and Kelley, J. Global
 /// Optim. 21 (2001) 27), for goals with several optima, with steps and with many whole numbers.
 /// If no trial meets all conditions, the nearest is returned: where something is minimized, that with the smallest largest violation
-/// (relative to Condition::scale_SI); else, of those that violate the bounds least, that with the smallest sum of squares of the differences from
+/// (relative to Condition::scale_SI), which is then minimized itself, and if that meets the conditions, the objective again; else, of those that violate the bounds least, that with the smallest sum of squares of the differences from
 /// the targets over what is allowed. Variables are divided by their range, conditions by Condition::scale_SI.
 /// Tested by optimize/search_test.
 #include <functional>

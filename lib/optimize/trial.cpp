@@ -122,7 +122,7 @@ public:
         const auto crossings = path_->crossings(at_, path_->within_reach(at_, post::in_column_unit(at, measure.at_SI)));
         if (crossings.empty()) {
             const auto [lowest, highest] = path_->range(at_);
-            const bool has_limit = !solved_.end.limit_points.empty();
+            const bool has_limit = at.source == post::Source::load && !solved_.end.limit_points.empty();
             throw Error(ExitCode::stopped_early, measure.text,
                         "the path reaches " + measure.at + " " + post::value_text(at, lowest) + " to " +
                             post::value_text(at, highest) + " (" + std::string{model::name(solved_.end.reason)} +

@@ -16,12 +16,11 @@ struct CycleRows {
 };
 [[nodiscard]] CycleRows rows_of_cycle(const model::Case& model, std::span<const model::Step> steps, int cycle);
 
-/// What the loads do in a cycle, and what inelastic rubber, snaps and friction dissipate: in a cycle that ends as it has begun the area of its
-/// loop.
+/// What the loads do in a cycle, and what it dissipates: in a cycle that ends as it has begun the area of its loop.
 struct CycleEnergy {
     int cycle = 1;
-    double load_work_J = 0, dissipated_J = 0;
-    std::optional<double> friction_J = {};  ///< not in dissipated_J; none without friction
+    double load_work_J = 0, dissipated_J = 0;  ///< dissipated by inelastic rubber and snaps
+    std::optional<double> friction_J = {};     ///< by friction, where there is any
 };
 /// Of the complete cycles; empty for a path without repetition or energies.
 [[nodiscard]] std::vector<CycleEnergy> cycle_energies(const model::Case& model, std::span<const model::Step> steps);

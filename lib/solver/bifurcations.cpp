@@ -12,6 +12,8 @@ namespace {
 /// A bifurcation is located until the load changes by less than this fraction of itself over the bracket.
 constexpr double bifurcation_tolerance = 1e-6;
 constexpr int bifurcation_solves = 30;
+/// Of the count of negative pivots, in one step.
+constexpr int most_changes = 30;
 /// Inverse iterations for the mode: the eigenvalue that passes through zero is by far the smallest there.
 constexpr int mode_iterations = 3;
 /// Fractions of the step: distance before and after a bifurcation at which its eigenvalue is checked; where another one is smaller there,
@@ -119,8 +121,9 @@ std::string check_bifurcation(Corrector& corrector, const PathState& path, const
     return {};
 }
 
-/// The tangent at a bifurcation contains any multiple of the mode; that of the parabola with value and slope of a point before it does not.
-void use_parabola(fem::System& system, const PathState& path, const PathPoint& from, PathPoint& to) {
+/// The tangent at a bifurcation contains any multiple of the mode; that of the parabola with value and slope of the last row does not.
+void use_parabola(fem::System& system, const PathState& path, PathPoint& to) {
+    const PathPoint& from = *path.last;
     const double span = to.q - from.q;
     const auto slope = [span](double before, double after, double slope_before) {
         return 2 * (after - before) / span - slope_before;
@@ -138,18 +141,18 @@ void use_parabola(fem::System& system, const PathState& path, const PathPoint& f
     read_values(system, *path.loads, &from, to);
 }
 
-/// A bifurcation, and a state beyond it, between it and the next one; none where it is the last.
-struct LocatedBifurcation {
-    Event event;
+/// What the first change of branch_index in an interval is: a bifurcation, or none; and a state beyond it, before the next change, where there
+/// may be one.
+struct FirstChange {
+    std::optional<Event> event;
     std::optional<PathPoint> beyond;
 };
 
 /// Brackets the first change of branch_index by bisection on its count. The secant on 1 / (b . M^-1 b), which vanishes with the
 /// eigenvalue (Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, 2000, 3.3), shortens the bracket as
 /// soon as b is close to the mode.
-std::optional<LocatedBifurcation> locate_bifurcation(Corrector& corrector, const PathState& path,
-                                                     const Listeners& listeners, const PathPoint& from,
-                                                     const PathPoint& to) {
+FirstChange locate_bifurcation(Corrector& corrector, const PathState& path, const Listeners& listeners,
+                               const PathPoint& from, const PathPoint& to) {
     Bracket bracket{from, to};
     const int index = *branch_index(path, bracket.from);
     std::optional<double> left_test, right_test, root;
@@ -182,20 +185,22 @@ std::optional<LocatedBifurcation> locate_bifurcation(Corrector& corrector, const
                               std::abs(right.state.load_factor - left.state.load_factor) * std::abs(left.leading);
         if (change <= bifurcation_tolerance * std::max(std::abs(left.leading), std::abs(right.leading))) break;
     }
-    if (!bracket.left && !bracket.right) return std::nullopt;
+    if (!bracket.left && !bracket.right) return {};
     const std::string objection = check_bifurcation(corrector, path, bracket, mode);
-    if (!objection.empty()) {
+    const int modes = std::abs(*branch_index(path, bracket.high()) - index);
+    FirstChange change;
+    if (objection.empty()) {
+        if (mode) normalize_mode(corrector.system(), *mode);
+        change.event = {Event::Kind::bifurcation, std::move(bracket.left ? *bracket.left : *bracket.right), modes,
+                        std::move(mode)};
+        use_parabola(corrector.system(), path, change.event->point);
+        if (!bracket.left) return change;
+    } else {
         listeners.report("the count of negative pivots changes before row " + std::to_string(path.rows) + ", but " +
                          objection + ": no bifurcation");
-        return std::nullopt;
     }
-    if (mode) normalize_mode(corrector.system(), *mode);
-    const int modes = std::abs(*branch_index(path, bracket.high()) - index);
-    const bool is_between = bracket.left && bracket.right;
-    PathPoint found = std::move(bracket.left ? *bracket.left : *bracket.right);
-    use_parabola(corrector.system(), path, from, found);
-    return LocatedBifurcation{{Event::Kind::bifurcation, std::move(found), modes, std::move(mode)},
-                              is_between ? std::move(bracket.right) : std::nullopt};
+    change.beyond = std::move(bracket.right);
+    return change;
 }
 
 }  // namespace
@@ -207,12 +212,11 @@ std::vector<Event> bifurcations_before(const PathPoint& to, Corrector& corrector
     std::optional<PathPoint> beyond;
     const auto from = [&]() -> const PathPoint& { return beyond ? *beyond : *path.last; };
     if (!last || !branch_index(path, from())) return events;
-    while (branch_index(path, from()) != last) {
-        auto located = locate_bifurcation(corrector, path, listeners, from(), to);
-        if (!located) break;
-        events.push_back(std::move(located->event));
-        if (!located->beyond) break;
-        beyond = std::move(located->beyond);
+    for (int changes = 0; changes < most_changes && branch_index(path, from()) != last; ++changes) {
+        FirstChange change = locate_bifurcation(corrector, path, listeners, from(), to);
+        if (change.event) events.push_back(std::move(*change.event));
+        if (!change.beyond) break;
+        beyond = std::move(change.beyond);
     }
     return events;
 }

@@ -84,27 +84,33 @@ std::optional<PathPoint> Corrector::solve_between(const Frame& frame, const Path
 }
 
 std::optional<PathPoint> Corrector::solve_goal(const Frame& frame, const Crossing& crossing, const PathPoint& from,
-                                               const PathPoint& to, State guess) {
+                                               PathPoint to, State guess) {
     const Goal& goal = *crossing.goal;
     if (goal.has_slope) return solve_at(frame, goal.constraint, goal.target, std::move(guess));
     const auto missing = [&](const PathPoint& point) { return value_of(goal.constraint, point) - goal.target; };
-    const PathPoint *low = &from, *high = &to;
-    std::optional<PathPoint> before, found;
+    const double accurate = goal_accuracy * (std::abs(goal.target) + std::abs(missing(from))),
+                 shortest = goal_accuracy * std::abs(to.q - from.q);
+    std::optional<PathPoint> before;
     double at_low = missing(from), at_high = missing(to);
-    int same_side = 0;  // the secant's end that stays is weighed half, that both ends move (Illinois)
-    for (int i = 0; i < goal_solves && std::abs(at_high) > goal_accuracy * std::abs(goal.target); ++i) {
+    const double side = at_high;
+    int same_side = 0;  // the secant's end that stays is weighed half, so that both ends move (Illinois)
+    for (int i = 0; i < goal_solves && std::abs(missing(to)) > accurate; ++i) {
+        const PathPoint& low = before ? *before : from;
+        if (std::abs(to.q - low.q) <= shortest) break;
         const double share = std::clamp(at_low / (at_low - at_high), least_share, 1.0 - least_share);
-        auto point = solve_between(frame, *low, *high, low->q + share * (high->q - low->q));
+        auto point = solve_between(frame, low, to, low.q + share * (to.q - low.q));
         if (!point) return std::nullopt;
         const double value = missing(*point);
-        const bool beyond = value * missing(to) >= 0.0;
+        const bool beyond = value * side >= 0.0;
         same_side = beyond ? std::max(same_side, 0) + 1 : std::min(same_side, 0) - 1;
-        (beyond ? found : before) = std::move(point);
         (beyond ? at_high : at_low) = value;
-        (beyond ? high : low) = beyond ? &*found : &*before;
         if (std::abs(same_side) > 1) (beyond ? at_low : at_high) *= 0.5;
+        if (beyond)
+            to = std::move(*point);
+        else
+            before = std::move(point);
     }
-    return found;
+    return to;
 }
 
 PathPoint Corrector::measure(const Frame& frame, State state, PathTangent tangent) {

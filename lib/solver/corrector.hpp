@@ -41,9 +41,10 @@ public:
     /// The state at q between two points of the path.
     [[nodiscard]] std::optional<PathPoint> solve_between(const Frame& frame, const PathPoint& a, const PathPoint& b,
                                                          double q, WithContact contact = WithContact::if_met);
-    /// The state at which `crossing` is reached between two converged points. `guess`: near it. nullopt if no state is found.
+    /// The state at which `crossing` is reached between two converged points, where its quantity jumps the first beyond the jump. `guess`: near
+    /// it, used where the goal has a slope. nullopt if no state is found.
     [[nodiscard]] std::optional<PathPoint> solve_goal(const Frame& frame, const Crossing& crossing,
-                                                      const PathPoint& from, const PathPoint& to, State guess);
+                                                      const PathPoint& from, PathPoint to, State guess);
     /// Whether a state solved without contact touches or has passed through anything. If so, or with friction, which may have dissipated
     /// energy before, contact no longer rests.
     [[nodiscard]] bool wake_contact_if_met(const Frame& frame, const PathPoint& point);

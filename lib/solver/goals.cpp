@@ -50,7 +50,8 @@ std::optional<Crossing> first_reached(const std::vector<Goal>& goals, const Path
                                       double begin, double end) {
     std::optional<Crossing> first;
     for (const auto& goal : goals) {
-        if (begin == last.q && !goal.has_slope) continue;  // it cannot be extrapolated
+        const bool is_extrapolated = begin == last.q;
+        if (is_extrapolated && !goal.has_slope) continue;
         const auto q = first_meeting({goal, before, last}, begin, end);
         if (q && (!first || *q < first->q)) first = Crossing{&goal, *q};
     }

@@ -23,7 +23,8 @@ struct Goal {
 
 struct Crossing {
     const Goal* goal = nullptr;
-    double q = 0;  ///< where the cubic through the two points (or the tangent) meets the target
+    double q =
+        0;  ///< where the cubic through the two points (or the tangent) meets the target; between two rows without slopes: about
 };
 
 /// The first goal with a slope reached for last.q < q <= q_end by the predictor from (`before`, `last`); nullopt if none is reached.

@@ -113,7 +113,7 @@ public:
     };
     [[nodiscard]] std::optional<Miss> miss(const Constraint& constraint, double target, const State& state);
 
-    /// Bound of the rounding error of R in the undeformed body, as a force.
+    /// Four times the rounding error of R in the undeformed body, as a force.
     [[nodiscard]] double rounding_N() const;
     /// That error in units of the path parameter: relative to the forces of the tangent's loads.
     [[nodiscard]] double rounding_of_loads(const PathTangent& tangent) const;

@@ -148,13 +148,8 @@ void PathFollower::step() {
     const auto contact = find_contact(corrector_, path_, listeners_, *point);
     if (contact) touch.reset();  // the path ends before it
     const Goal* goal = aim.crossing && !contact ? aim.crossing->goal : nullptr;
-    if (const auto passed = goal != nullptr ? std::nullopt : first_between(path_.goals, *path_.last, *point)) {
-        goal = passed->goal;
-        point = corrector_.solve_goal(frame_of(path_), *passed, *path_.last, *point,
-                                      predict(&*path_.last, *point, passed->q));
-        if (!point) return recover();
-        touch.reset();
-    }
+    if (pass_goals(point, goal)) touch.reset();
+    if (!point) return recover();
     Events events = events_before(*point, corrector_, path_, listeners_);
     if (touch)
         touch->point = std::move(*point);
@@ -171,6 +166,21 @@ void PathFollower::step() {
     path_.step = next_step(input_.solver, path_, aim, error, corrector_.last_result());
     if (limits_steps_in_time(system_, path_)) path_.step = std::min(path_.step, longest_in_time(path_, late));
     if (const auto change = better_control(system_, path_)) change_control(*change);
+}
+
+/// Moves `point` back to a goal that has been passed; one without a slope may lie before that which is aimed at or has been found. Whether it has
+/// moved; no point where that fails.
+bool PathFollower::pass_goals(std::optional<PathPoint>& point, const Goal*& goal) {
+    bool moves = false;
+    for (std::size_t tried = 0; tried < path_.goals.size() && point; ++tried) {
+        const auto passed = first_between(path_.goals, *path_.last, *point);
+        if (!passed || passed->goal == goal || (goal != nullptr && passed->goal->has_slope)) break;
+        goal = passed->goal;
+        State guess = predict(&*path_.last, *point, passed->q);
+        point = corrector_.solve_goal(frame_of(path_), *passed, *path_.last, std::move(*point), std::move(guess));
+        moves = true;
+    }
+    return moves;
 }
 
 std::optional<PathPoint> PathFollower::solve_step(Aim& aim, std::optional<Event>& touch) {
@@ -301,8 +311,8 @@ void PathFollower::recover() {
         if (const auto crossing = first_between(path_.goals, *path_.last, *point)) {
             const double way = (crossing->q - path_.last->q) / (point->q - path_.last->q);
             goal = crossing->goal;
-            point = corrector_.solve_goal(frame_of(path_), *crossing, *path_.last, *point,
-                                          between(path_.last->state, point->state, way));
+            State guess = between(path_.last->state, point->state, way);
+            point = corrector_.solve_goal(frame_of(path_), *crossing, *path_.last, std::move(*point), std::move(guess));
         }
         if (point) return go_on_from(std::move(*point), goal, "passed a kink to ");
     }

@@ -34,6 +34,7 @@ private:
     [[nodiscard]] bool pass_events(Events events);
     [[nodiscard]] bool take_branch(Event& bifurcation);
     /// The state at the aim, or where contact begins before it; this place is found without contact, and then the aim is there.
+    [[nodiscard]] bool pass_goals(std::optional<PathPoint>& point, const Goal*& goal);
     [[nodiscard]] std::optional<PathPoint> solve_step(Aim& aim, std::optional<Event>& touch);
     void recover();
     /// Continues beyond a kink or a snap from `point`, which has no cubic with the rows before.

@@ -104,7 +104,10 @@ std::optional<State> RefinedPath::equilibrium(const RowState& coarse, RowPositio
     }
     if (corrector_.correct(nearest_, 0.0, state)) return state;
     // Where the state that is carried over does not touch the obstacle that moves, the load does not move it.
-    if (corrector_.last_result().end == NewtonEnd::singular)
+    const model::Case& input = system_.input();
+    const bool moves_obstacle = std::ranges::any_of(
+        input.motions, [&](const model::Motion& motion) { return model::moves_obstacle(input, motion); });
+    if (moves_obstacle && corrector_.last_result().end == NewtonEnd::singular)
         if (auto found = at_equal_load(coarse)) return found;
     corrected_m_ = 0;  // retry without the row before
     state = carry_over(coarse);

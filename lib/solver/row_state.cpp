@@ -172,17 +172,21 @@ void let_contact_rest(fem::System& system, const PathPoint& a, const PathPoint& 
 
 namespace {
 
+bool moves_obstacle(const model::Case& input, const LoadLevels& change) {
+    for (std::size_t i = 0; i < input.motions.size(); ++i)
+        if (change.motions[i] != 0.0 && model::moves_obstacle(input, input.motions[i])) return true;
+    return false;
+}
+
 /// Whether the body hardly moves with an obstacle at a point, compared with its motion between two points, as where it only just touches:
 /// a tangent of the length of that motion would move the obstacle by orders of magnitude too far. The same where the body stands still
 /// between the points, as where the obstacle slides along it.
 bool is_at_rest(const model::Case& input, const PathPoint& point, double load_factors, double length) {
     constexpr double much_slower = 1e-2, rounding = 1e-8;
-    bool moves = false;
-    for (std::size_t i = 0; i < input.motions.size(); ++i)
-        moves = moves || (point.level_slopes.motions[i] != 0.0 && model::moves_obstacle(input, input.motions[i]));
-    return moves && (length <= rounding * linalg::norm(point.state.x) ||
-                     linalg::norm(point.tangent.x) * std::abs(load_factors) <
-                         much_slower * length * std::abs(point.tangent.load_factor));
+    return moves_obstacle(input, point.level_slopes) &&
+           (length <= rounding * linalg::norm(point.state.x) ||
+            linalg::norm(point.tangent.x) * std::abs(load_factors) <
+                much_slower * length * std::abs(point.tangent.load_factor));
 }
 
 }  // namespace
@@ -192,7 +196,10 @@ double work_between(fem::System& system, const PathPoint& from, const PathPoint&
     const linalg::Vector velocity = linalg::duplicate(to.state.x);
     const linalg::Vector start = linalg::duplicate(to.state.x), end = linalg::duplicate(to.state.x);
     SOFT_PETSC(VecWAXPY(change, -1.0, from.state.x, to.state.x));
+    const auto difference = [&](const LoadLevels& a, const LoadLevels& b) { return fem::moved(a, -1.0, b); };
+    const LoadLevels turn = difference(to.levels, from.levels);
     const double length = linalg::norm(change);
+    if (!(length > 0.0) && !moves_obstacle(system.input(), turn)) return 0;
     // Both tangents by one parameter from 0 to 1, of about constant speed, toward `to`; the levels use the same parameter.
     const auto scaled = [&](const PathPoint& point, Vec tangent) {
         const double size = linalg::norm(point.tangent.x);
@@ -201,8 +208,6 @@ double work_between(fem::System& system, const PathPoint& from, const PathPoint&
         SOFT_PETSC(VecScale(tangent, factor));
         return fem::moved(fem::no_loads(system.input()), factor, point.level_slopes);
     };
-    const auto difference = [&](const LoadLevels& a, const LoadLevels& b) { return fem::moved(a, -1.0, b); };
-    const LoadLevels turn = difference(to.levels, from.levels);
     const double load_factors = to.state.load_factor - from.state.load_factor;
     const bool knows_end = !is_at_rest(system.input(), to, load_factors, length),
                knows_start =

@@ -24,6 +24,8 @@ constexpr double accurate_pass = 1e-5;
 constexpr double loading_margin = 3e-5, margin_by_change = 20;
 /// Of the value that a goal prescribes.
 constexpr double goal_tolerance = 1e-6;
+/// Of the displacements: the difference for the slope of a goal that has none.
+constexpr double goal_difference = 1e-6;
 
 Error singular(const std::string& what) {
     return {ExitCode::bad_input, "--sensitivity", what, "generate the case without sensitivities"};
@@ -244,12 +246,22 @@ PathPoint Sensitivities::moved_point(const Side& side, const PathPoint& point, c
     return at;
 }
 
-void Sensitivities::move_to_goal(const Goal& goal, const PathPoint& point, const Side& lower, const Side& higher,
-                                 PathTangent& direction) {
+double Sensitivities::slope_at(const Goal& goal, const PathPoint& point, const Side& base) {
+    if (goal.has_slope) return slope_of(goal.constraint, point);
+    Side before = base, after = base;
+    after.change = goal_difference * linalg::norm(point.state.x) / linalg::norm(point.tangent.x);
+    before.change = -after.change;
+    return (value_of(goal.constraint, moved_point(after, point, point.tangent)) -
+            value_of(goal.constraint, moved_point(before, point, point.tangent))) /
+           (after.change - before.change);
+}
+
+void Sensitivities::move_to_goal(const Goal& goal, const PathPoint& point, const Side& base, const Side& lower,
+                                 const Side& higher, PathTangent& direction) {
     const double by_parameter = (value_of(goal.constraint, moved_point(higher, point, direction)) -
                                  value_of(goal.constraint, moved_point(lower, point, direction))) /
                                 (higher.change - lower.change);
-    const double back = -by_parameter / slope_of(goal.constraint, point);
+    const double back = -by_parameter / slope_at(goal, point, base);
     add(direction, back, point.tangent);
 }
 
@@ -272,7 +284,7 @@ void Sensitivities::evaluate(Corrector& corrector, const PathState& path, const 
     const bool is_at_rest = linalg::norm(point.tangent.x) == 0.0;  // an obstacle approaches, or has left
     if (in_time || model::holds_load(step) || is_at_rest) along = {};
     // A stage that loads softened rubber again may end where it ended before: beyond it the rubber is softer than before it.
-    else if (softens && goal != nullptr)
+    else if (softens && goal != nullptr && goal->has_slope)
         along = goal->constraint;
     const auto set_margin = [&](double share) {
         corrector.system().internal().set_margin(share);
@@ -319,7 +331,7 @@ void Sensitivities::evaluate(Corrector& corrector, const PathState& path, const 
         const auto slopes = quotient(values(higher), values(lower), change);
         step.derivatives.insert(step.derivatives.end(), slopes.begin(), slopes.end());
         if (goal != nullptr && stage_follows) {  // the next stage starts where the quantity of the goal keeps its value
-            move_to_goal(*goal, point, lower, higher, moved_at);
+            move_to_goal(*goal, point, base, lower, higher, moved_at);
             const auto start = [&](const Side& side) {
                 return stage_start_at(side.system->input(), *side.loads, moved_point(side, point, moved_at));
             };

@@ -70,9 +70,11 @@ private:
                                  PathTangent& direction) const;
     /// The point of one of the systems that corresponds to a point of the path, with its values.
     [[nodiscard]] static PathPoint moved_point(const Side& side, const PathPoint& point, const PathTangent& direction);
+    /// The slope of a goal's quantity along the path.
+    [[nodiscard]] static double slope_at(const Goal& goal, const PathPoint& point, const Side& base);
     /// Changes the derivative of a state to that at a fixed value of a goal's quantity.
-    static void move_to_goal(const Goal& goal, const PathPoint& point, const Side& lower, const Side& higher,
-                             PathTangent& direction);
+    static void move_to_goal(const Goal& goal, const PathPoint& point, const Side& base, const Side& lower,
+                             const Side& higher, PathTangent& direction);
 
     const fem::System& base_;
     WithStretch stretch_;

@@ -77,11 +77,12 @@ std::optional<Snap> snap(Corrector& corrector, PathState& path, const Listeners&
     auto point = snap_to(corrector, path, held, controlled_value(held, last, 0.0) + control_slope(held, last) * step);
     if (const auto passed = point ? first_between(path.goals, last, *point) : std::nullopt) {
         goal = passed->goal;
-        corrector.restore(memory);
-        point = snap_to(corrector, path, goal->constraint, goal->target);
+        if (goal->has_slope) {  // else it has jumped over its target
+            corrector.restore(memory);
+            point = snap_to(corrector, path, goal->constraint, goal->target);
+        }
     }
-    if (!point || find_crossing(corrector, listeners, *point) ||
-        !find_work_of_jump(corrector.system(), last, *point)) {
+    if (!point || find_crossing(corrector, listeners, *point) || !find_work_of_jump(corrector, last, *point)) {
         corrector.restore(memory);
         return std::nullopt;
     }

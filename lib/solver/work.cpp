@@ -41,6 +41,12 @@ struct WorkInterval {
     [[nodiscard]] double gap_J() const { return std::abs(work_J - gain_J); }
 };
 
+/// How much the work from one point to another may differ from the gain of stored energy on one equilibrium path; both energies are known.
+double allowed_gap_J(Corrector& corrector, const PathPoint& from, const PathPoint& to) {
+    return energy_jump * std::max({*from.stored_J, *to.stored_J, std::abs(*to.step_work_J)}) +
+           corrector.newton().rounding_N() * distance(to.state.x, from.state.x);
+}
+
 /// Recursively bisects the interval at its equilibrium state in the middle.
 double refined_work(Corrector& corrector, const Frame& frame, const WorkInterval& whole, double wanted_J,
                     int halvings_left) {
@@ -71,7 +77,8 @@ void find_work_of_step(Corrector& corrector, PathState& path, PathPoint& to) {
     if (from.touches && to.touches && left_J > wanted_J) to.lost_J = left_J;
 }
 
-bool find_work_of_jump(fem::System& system, PathPoint& from, PathPoint& to) {
+bool find_work_of_jump(Corrector& corrector, PathPoint& from, PathPoint& to) {
+    fem::System& system = corrector.system();
     const linalg::Vector motion = copy_of(to.state.x);
     linalg::add(motion, -1.0, from.state.x);
     const fem::LoadLevels change = fem::moved(to.levels, -1.0, from.levels);
@@ -79,10 +86,9 @@ bool find_work_of_jump(fem::System& system, PathPoint& from, PathPoint& to) {
     to.step_work_J = 0.5 * (system.assembler().load_power(from.state.x, motion, from.levels, change) +
                             system.assembler().load_power(to.state.x, motion, to.levels, change));
     if (!system.has_energy()) return true;
-    const double from_J = stored_energy_of(system, from), to_J = stored_energy_of(system, to);
-    const double left_J = *to.step_work_J - (to_J - from_J);
+    const double left_J = *to.step_work_J - (stored_energy_of(system, to) - stored_energy_of(system, from));
     to.lost_J = std::max(left_J, 0.0);
-    return -left_J <= energy_jump * std::max(from_J, to_J);
+    return -left_J <= allowed_gap_J(corrector, from, to);
 }
 
 bool breaks_energy_balance(Corrector& corrector, PathState& path, PathPoint& to) {
@@ -91,9 +97,8 @@ bool breaks_energy_balance(Corrector& corrector, PathState& path, PathPoint& to)
     if (!system.has_energy() || mean_m < rounding_strain * mesh::extent_m(system.input().mesh)) return false;
     find_work_of_step(corrector, path, to);
     if (to.lost_J > 0) return false;  // a snap sets energy free
-    const double from_J = *path.last->stored_J, to_J = *to.stored_J;
-    const double rounding_J = corrector.newton().rounding_N() * distance(to.state.x, path.last->state.x);
-    return std::abs(*to.step_work_J - (to_J - from_J)) > energy_jump * std::max(from_J, to_J) + rounding_J;
+    const double gap_J = *to.step_work_J - (*to.stored_J - *path.last->stored_J);
+    return std::abs(gap_J) > allowed_gap_J(corrector, *path.last, to);
 }
 
 }  // namespace soft::solver

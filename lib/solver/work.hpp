@@ -13,7 +13,7 @@ void find_work_of_step(Corrector& corrector, PathState& path, PathPoint& to);
 
 /// The same for a jump between two stable states; the work is that of the mean of the loads at both. False if the body has stored and
 /// friction has dissipated more than that: no jump can do so.
-[[nodiscard]] bool find_work_of_jump(fem::System& system, PathPoint& from, PathPoint& to);
+[[nodiscard]] bool find_work_of_jump(Corrector& corrector, PathPoint& from, PathPoint& to);
 
 /// True if the loads have done other work than the rubber has stored: `to` lies on another equilibrium path than the last row.
 [[nodiscard]] bool breaks_energy_balance(Corrector& corrector, PathState& path, PathPoint& to);

@@ -12,13 +12,20 @@ using mesh::Point;
 TEST(Barrier, HasTwoContinuousDerivativesAndRepels) {
     constexpr double h = 0.3, step = 1e-6;
     for (const auto part : {Nearness::closest, Nearness::other})
-        for (const double d : {-0.7, -0.45, -0.4, -0.05, 0.01, 0.1, 0.25}) {
+        for (const double d : {-0.7, -0.4, -0.05, 0.01, 0.1, 0.25}) {
             const Barrier at = barrier(d, h, part), before = barrier(d - step, h, part),
                           after = barrier(d + step, h, part);
             EXPECT_NEAR((after.value_m - before.value_m) / (2 * step), at.slope, 1e-6 * std::abs(at.slope));
-            EXPECT_NEAR((after.slope - before.slope) / (2 * step), at.curvature_1_m, 1e-5 * at.curvature_1_m);
+            EXPECT_NEAR((after.slope - before.slope) / (2 * step), at.curvature_1_m, 1e-6 * at.curvature_1_m);
             EXPECT_LT(at.slope, 0);
         }
+    for (const double d : {-1.5 * h, 0.0, 0.2 * h})  // where its parts meet
+        EXPECT_NEAR(barrier(d - 1e-9, h).curvature_1_m, barrier(d + 1e-9, h).curvature_1_m,
+                    1e-6 * barrier(d, h).curvature_1_m);
+    // The pressures of the header.
+    EXPECT_NEAR(-barrier(0, h).slope, 12.8, 0.05);
+    EXPECT_NEAR(-barrier(-0.5 * h, h).slope, 380, 1);
+    EXPECT_NEAR(-barrier(-h, h).slope, 5200, 5);
     EXPECT_NEAR(barrier(h * (1 - 1e-8), h).curvature_1_m, 0, 1e-6);
     EXPECT_EQ(barrier(h, h).value_m, 0);
 }

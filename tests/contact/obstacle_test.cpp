@@ -70,6 +70,20 @@ TEST(ThinObstacle, IsNotJumpedOver) {
         }
 }
 
+/// The face passes a post that stands 0.3 beside its middle: it would be pressed in, and is not on another side of the post's axis than before.
+TEST(RoundObstacle, IsNotPassedOffItsCentre) {
+    const model::Case model = block_before({"post", model::Cylinder{{2, 1.45, 0}, {0, 0, 1}, 0.5}});
+    Potential potential(model, std::array{1e5});
+    const std::vector<Vector3> shifts(1);
+    const auto passes = [&](double way, double beside) {
+        return potential.passes_through(model.mesh.points, shifts, moved(model, way, beside), shifts);
+    };
+    EXPECT_TRUE(passes(3, 0));
+    EXPECT_FALSE(passes(3, -1));
+    EXPECT_FALSE(passes(0.4, 0));
+    EXPECT_TRUE(potential.passes_through(model.mesh.points, shifts, model.mesh.points, {{{-3, 0, 0}}}));
+}
+
 /// A face that is draped over an edge of 60 degrees slides over it.
 TEST(SharpObstacle, IsNotPassedThroughByWhatSlidesOverItsEdge) {
     const double half = std::tan(std::numbers::pi / 6);

@@ -78,6 +78,13 @@ TEST(Bifurcation, AllWithinOneStepAreLocated) {
         const model::Bifurcation& at = end.bifurcations[static_cast<std::size_t>(n - 1)];
         EXPECT_EQ(at.modes, 1);
         EXPECT_NEAR(0.1 * at.at.pressure_Pa / buckling_strain(n), 1.0, 4e-3) << n;  // 'level' has a finite length
+        double error = 0;
+        const double sign = at.mode[3 * (n == 1 ? 80 : 80 / n) + 1] > 0 ? 1.0 : -1.0;  // nodes 0 to 80: the lower side
+        for (std::size_t node = 0; node <= 80; ++node)
+            error =
+                std::max(error, std::abs(sign * at.mode[3 * node + 1] -
+                                         0.5 * (1 - std::cos(n * std::numbers::pi * static_cast<double>(node) / 80))));
+        EXPECT_LT(error, 0.02 * n) << n;  // 'level', n fortieths of a half wave, does not rotate
     }
 }
 
