@@ -112,7 +112,9 @@ std::optional<State> RefinedPath::equilibrium(const RowState& coarse, RowPositio
     corrected_m_ = 0;  // retry without the row before
     state = carry_over(coarse);
     if (corrector_.correct(nearest_, 0.0, state)) return state;
-    auto followed = follow_from_last(coarse);
+    // What an obstacle moves follows it, and hardly moves along the path where it slides.
+    auto followed = moves_obstacle ? follow_from_last(coarse, Approach::by_load) : std::nullopt;
+    if (!followed) followed = follow_from_last(coarse, Approach::to_the_nearest);
     if (followed && position == RowPosition::ends_stage)
         if (State goal = copy_of(*followed); end_stage(goal)) return goal;
     return followed ? std::move(followed) : at_equal_load(coarse);
@@ -128,7 +130,7 @@ std::optional<State> RefinedPath::at_equal_load(const RowState& coarse) {
     return state;
 }
 
-std::optional<State> RefinedPath::follow_from_last(const RowState& coarse) {
+std::optional<State> RefinedPath::follow_from_last(const RowState& coarse, Approach approach) {
     if (!last_ || of_last_ == FromTangent::of_another_stage) return std::nullopt;
     linalg::Vector step = system_.make_vector(), origin = system_.make_vector();  // step: of the coarse path
     SOFT_PETSC(VecWAXPY(step, 1.0, correction_, origin_));
@@ -144,7 +146,10 @@ std::optional<State> RefinedPath::follow_from_last(const RowState& coarse) {
             SOFT_PETSC(VecWAXPY(origin, static_cast<double>(part) / parts - 1.0, step, origin_));
             Constraint nearest = nearest_;
             nearest.arc_origin = origin;
-            if (!corrector_.correct(nearest, 0.0, state)) break;
+            const bool by_load = approach == Approach::by_load;
+            if (!corrector_.correct(by_load ? Constraint{ConstraintKind::load_factor} : nearest,
+                                    by_load ? state.load_factor : 0.0, state))
+                break;
             if (part == parts) return state;
         }
     }

@@ -41,7 +41,8 @@ private:
     [[nodiscard]] std::optional<State> equilibrium(const RowState& coarse, RowPosition position);
     [[nodiscard]] bool end_stage(State& state);
     /// The row approached from the one before in parts of the coarse step, where the guess is too far away, as in contact.
-    [[nodiscard]] std::optional<State> follow_from_last(const RowState& coarse);
+    enum class Approach { by_load, to_the_nearest };
+    [[nodiscard]] std::optional<State> follow_from_last(const RowState& coarse, Approach approach);
     /// The state at the load of the coarse row: where an obstacle just touches the coarse mesh, the finer one is still at rest, and the load
     /// does not move it.
     [[nodiscard]] std::optional<State> at_equal_load(const RowState& coarse);
