@@ -212,9 +212,18 @@ std::vector<Event> bifurcations_before(const PathPoint& to, Corrector& corrector
     std::optional<PathPoint> beyond;
     const auto from = [&]() -> const PathPoint& { return beyond ? *beyond : *path.last; };
     if (!last || !branch_index(path, from())) return events;
+    int before_event = 0;
     for (int changes = 0; changes < most_changes && branch_index(path, from()) != last; ++changes) {
+        const int index = *branch_index(path, from());
         FirstChange change = locate_bifurcation(corrector, path, listeners, from(), to);
-        if (change.event) events.push_back(std::move(*change.event));
+        if (change.event) {
+            events.push_back(std::move(*change.event));
+            before_event = index;
+        } else if (!events.empty()) {
+            // Beside a limit point, where the load begins to fall, the index of a bifurcation is right only beyond both.
+            const int beyond_both = *branch_index(path, change.beyond ? *change.beyond : to);
+            events.back().modes = std::max(1, std::abs(beyond_both - before_event));
+        }
         if (!change.beyond) break;
         beyond = std::move(change.beyond);
     }

@@ -1,6 +1,6 @@
 #pragma once
 /// Bifurcations between two rows: states at which eigenvalues of the tangent, under the constraint of the path, pass through zero.
-/// Internal to the module. Tested by solver/bifurcation_test and the verification suite.
+/// Internal to the module. Tested by solver/branch_test and the verification suite.
 #include <vector>
 
 #include "solver/events.hpp"
