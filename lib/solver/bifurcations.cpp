@@ -1,6 +1,7 @@
 #include "solver/bifurcations.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "solver/stepping.hpp"
@@ -12,8 +13,8 @@ namespace {
 /// A bifurcation is located until the load changes by less than this fraction of itself over the bracket.
 constexpr double bifurcation_tolerance = 1e-6;
 constexpr int bifurcation_solves = 30;
-/// Of the count of negative pivots, in one step.
-constexpr int most_changes = 30;
+/// Of the rest of the step: how far beyond a bifurcation the next one is sought.
+constexpr std::array shares_beyond{0.02, 1e-3};
 /// Inverse iterations for the mode: the eigenvalue that passes through zero is by far the smallest there.
 constexpr int mode_iterations = 3;
 /// Fractions of the step: distance before and after a bifurcation at which its eigenvalue is checked; where another one is smaller there,
@@ -203,29 +204,38 @@ FirstChange locate_bifurcation(Corrector& corrector, const PathState& path, cons
     return change;
 }
 
+/// The state from which the next change is sought: a little beyond the last one, as the tangent at a bifurcation contains any multiple of the
+/// mode. nullopt where the next change follows at once.
+std::optional<PathPoint> start_beyond(Corrector& corrector, const PathState& path, const PathPoint& beyond,
+                                      const PathPoint& to) {
+    for (const double share : shares_beyond) {
+        auto point = corrector.solve_between(frame_of(path), *path.last, to, beyond.q + share * (to.q - beyond.q));
+        if (point && branch_index(path, *point) == branch_index(path, beyond)) return point;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<Event> bifurcations_before(const PathPoint& to, Corrector& corrector, const PathState& path,
                                        const Listeners& listeners) {
     std::vector<Event> events;
-    const auto last = branch_index(path, to);
-    std::optional<PathPoint> beyond;
-    const auto from = [&]() -> const PathPoint& { return beyond ? *beyond : *path.last; };
-    if (!last || !branch_index(path, from())) return events;
-    int before_event = 0;
-    for (int changes = 0; changes < most_changes && branch_index(path, from()) != last; ++changes) {
+    const auto last = branch_index(path, to), first = branch_index(path, *path.last);
+    if (!last || !first) return events;
+    std::optional<PathPoint> start;
+    const auto from = [&]() -> const PathPoint& { return start ? *start : *path.last; };
+    int before_event = *first;
+    for (int tries = std::abs(*last - *first) + 1; tries > 0 && branch_index(path, from()) != last; --tries) {
         const int index = *branch_index(path, from());
         FirstChange change = locate_bifurcation(corrector, path, listeners, from(), to);
         if (change.event) {
             events.push_back(std::move(*change.event));
             before_event = index;
-        } else if (!events.empty()) {
-            // Beside a limit point, where the load begins to fall, the index of a bifurcation is right only beyond both.
-            const int beyond_both = *branch_index(path, change.beyond ? *change.beyond : to);
-            events.back().modes = std::max(1, std::abs(beyond_both - before_event));
         }
-        if (!change.beyond) break;
-        beyond = std::move(change.beyond);
+        start = change.beyond ? start_beyond(corrector, path, *change.beyond, to) : std::nullopt;
+        if (!events.empty() && (!start || !change.event))  // what is not told apart belongs to the last one
+            events.back().modes = std::max(1, std::abs(*(start ? branch_index(path, *start) : last) - before_event));
+        if (!start) break;
     }
     return events;
 }
