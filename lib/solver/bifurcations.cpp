@@ -37,21 +37,6 @@ linalg::Vector generic_vector(const fem::System& system) {
     return b;
 }
 
-/// A position on the path and the value of a function there.
-struct Sample {
-    double q, value;
-};
-
-/// The next trial position for the zero between two samples of opposite sign: the secant's root, moved towards the farther end by as
-/// much as the root has moved since the last one, so that the bracket closes from both sides. `last` is the previous root.
-double next_between(const Sample& a, const Sample& b, std::optional<double>& last) {
-    const double root = a.q + (b.q - a.q) * a.value / (a.value - b.value);
-    const double moved = last ? std::abs(root - *last) : 0.0;
-    last = root;
-    const double toward_farther = std::abs(root - a.q) > std::abs(b.q - root) ? a.q - root : b.q - root;
-    return root + std::clamp(moved / std::abs(toward_farther), 0.0, 0.5) * toward_farther;
-}
-
 /// One inverse iteration with the bordered matrix M of the last tangent: 1 / (b . M^-1 b), an estimate of the smallest eigenvalue if b is
 /// close to its mode, and the unit vector along M^-1 b.
 struct InverseIterate {

@@ -1,6 +1,5 @@
 #include "solver/corrector.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "solver/control.hpp"
@@ -10,8 +9,8 @@ namespace soft::solver {
 
 namespace {
 
-/// Relative, of a quantity without a slope; that many states are solved for at most, each at least this far from the ends of its interval.
-constexpr double goal_accuracy = 1e-9, least_share = 0.01;
+/// Relative, of a quantity without a slope; that many states are solved for at most.
+constexpr double goal_accuracy = 1e-9;
 constexpr int goal_solves = 60;
 
 }  // namespace
@@ -90,22 +89,16 @@ std::optional<PathPoint> Corrector::solve_goal(const Frame& frame, const Crossin
     const auto missing = [&](const PathPoint& point) { return value_of(goal.constraint, point) - goal.target; };
     const double accurate = goal_accuracy * (std::abs(goal.target) + std::abs(missing(from))),
                  shortest = goal_accuracy * std::abs(to.q - from.q);
+    const double side = missing(to);
     std::optional<PathPoint> before;
-    double at_low = missing(from), at_high = missing(to);
-    const double side = at_high;
-    int same_side = 0;  // the secant's end that stays is weighed half, so that both ends move (Illinois)
+    std::optional<double> root;
     for (int i = 0; i < goal_solves && std::abs(missing(to)) > accurate; ++i) {
         const PathPoint& low = before ? *before : from;
         if (std::abs(to.q - low.q) <= shortest) break;
-        const double share = std::clamp(at_low / (at_low - at_high), least_share, 1.0 - least_share);
-        auto point = solve_between(frame, low, to, low.q + share * (to.q - low.q));
+        const double q = next_between({low.q, missing(low)}, {to.q, missing(to)}, root);
+        auto point = solve_between(frame, low, to, q);
         if (!point) return std::nullopt;
-        const double value = missing(*point);
-        const bool beyond = value * side >= 0.0;
-        same_side = beyond ? std::max(same_side, 0) + 1 : std::min(same_side, 0) - 1;
-        (beyond ? at_high : at_low) = value;
-        if (std::abs(same_side) > 1) (beyond ? at_low : at_high) *= 0.5;
-        if (beyond)
+        if (missing(*point) * side >= 0.0)
             to = std::move(*point);
         else
             before = std::move(point);

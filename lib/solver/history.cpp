@@ -1,5 +1,7 @@
 #include "solver/history.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace soft::solver {
@@ -75,6 +77,14 @@ double round_step_size(double step) {
     const double mantissa = std::frexp(step, &exponent);
     constexpr double divisions = 256;
     return std::ldexp(std::round(mantissa * divisions) / divisions, exponent);
+}
+
+double next_between(const Sample& a, const Sample& b, std::optional<double>& last) {
+    const double root = a.q + (b.q - a.q) * a.value / (a.value - b.value);
+    const double moved = last ? std::abs(root - *last) : 0.0;
+    last = root;
+    const double toward_farther = std::abs(root - a.q) > std::abs(b.q - root) ? a.q - root : b.q - root;
+    return root + std::clamp(moved / std::abs(toward_farther), 0.0, 0.5) * toward_farther;
 }
 
 }  // namespace soft::solver

@@ -57,4 +57,13 @@ struct HermiteWeights {
 /// Rounds a step to few digits, so that rounding errors, which depend on the number of ranks, do not move the rows of the path.
 [[nodiscard]] double round_step_size(double step);
 
+/// A position on the path and the value of a function there.
+struct Sample {
+    double q, value;
+};
+
+/// The next trial position for the zero between two samples of opposite sign: the secant's root, moved towards the farther end by as
+/// much as the root has moved since the last one, so that the bracket closes from both sides. `last` is the previous root.
+[[nodiscard]] double next_between(const Sample& a, const Sample& b, std::optional<double>& last);
+
 }  // namespace soft::solver
