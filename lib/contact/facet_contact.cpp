@@ -281,10 +281,11 @@ void FacetContact::add_feature(std::size_t q, const Point& x, const Feature& fea
     const double by_other_Pa = !other_acts ? 0
                                            : pressure_on(other, at_.patches[feature.facet], feature.closest.xi,
                                                          barrier(gap_other, reach.other_m));
-    const double in_contact = std::max(acts ? share_in_contact(gap, reach.own_m) : 0.0,
-                                       other_acts ? share_in_contact(gap_other, reach.other_m) : 0.0);
-    if (feature.is_closest)
+    if (feature.is_closest) {
+        const double in_contact = std::max(acts ? share_in_contact(gap, reach.own_m) : 0.0,
+                                           other_acts ? share_in_contact(gap_other, reach.other_m) : 0.0);
         note(q, other.obstacle, share * in_contact, share * pressure_at(q, b), 0.5 * by_other_Pa, n);
+    }
     if (!acts) return;
     Vector3 g{};
     std::array<Vector3, 3> H{};
@@ -343,7 +344,7 @@ void FacetContact::add_smooth(std::size_t q, const Point& x, const ObstacleDista
     Block& block = block_of(key, obstacle.index, {});
     add_function(block, weights, g, H);
     add_area_stretch(block, stretch, undeformed * b.value_m, along({}, undeformed * b.slope, d.gradient), weights);
-    // In the whole actuator both sides of a mirror count, as both walls do that touch.
+    // In the whole actuator both sides of a mirror count, half each, as two walls that touch.
     note(q, obstacle.index, (mirror ? 0.5 : 1) * share_in_contact(gap, reach), pressure_at(q, b), 0, d.gradient);
     if (!at_.friction.is_empty() && !mirror)
         touches_.push_back({.point = q,

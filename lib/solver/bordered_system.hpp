@@ -13,7 +13,7 @@
 namespace soft::solver {
 
 /// not_definite: CHOLMOD found a pivot that is not positive. linear_solver: the linear systems are not solved to the required
-/// tolerance, and therefore no equilibrium is found. passes_through: the actuator would be on the other side of an obstacle.
+/// tolerance, and therefore no equilibrium is found. passes_through: the actuator would have passed through an obstacle.
 enum class NewtonEnd {
     converged,
     inverted,
