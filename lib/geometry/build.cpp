@@ -92,6 +92,9 @@ std::vector<std::string> warnings_of(const design::Design& design, const Built& 
         warnings.push_back((design.values.has("geometry.file") ? "geometry.file: " : "mesh.order: ") +
                            design::first_order_simplex_warning());
     for (std::string& warning : case_warnings(design, built.model)) warnings.push_back(std::move(warning));
+    for (std::size_t k = 0; k < built.gaps.size(); ++k)
+        if (auto warning = small_obstacle_warning(built.model.obstacles[k], built.gaps[k]))
+            warnings.push_back(std::move(*warning));
     return warnings;
 }
 

@@ -53,7 +53,7 @@ struct Built {
 };
 [[nodiscard]] Built build_with_figures(const design::Design& design);
 
-/// The warnings of the design and those that need the case: coarse mesh, first-order simplices from a file, case_warnings.
+/// The warnings of the design and those that need the case: coarse mesh, first-order simplices from a file, case_warnings, small obstacles.
 [[nodiscard]] std::vector<std::string> warnings_of(const design::Design& design, const Built& built);
 
 /// How the mesh of a case is measured: by area, or revolved.

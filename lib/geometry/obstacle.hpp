@@ -60,8 +60,9 @@ struct ObstacleShape {
 /// Where the undeformed actuator is nearest to an obstacle, or overlaps it most.
 struct ObstacleGap {
     std::string name;
-    double gap_m = 0;  ///< negative: depth of the overlap
-    mesh::Point at{};  ///< on the actuator
+    double gap_m = 0;   ///< negative: depth of the overlap
+    mesh::Point at{};   ///< on the actuator
+    double cell_m = 0;  ///< longest side of the facet there; where the obstacle is a cylinder, across its axis
     /// The symmetry plane (x, y, z = 0) whose mirror image of the obstacle is nearer to some of the mesh than the obstacle.
     std::optional<std::size_t> wrong_side = {};
 };
@@ -73,6 +74,11 @@ struct ObstacleGap {
 /// Throws values.refuse(...) with position and depth for an obstacle that overlaps the undeformed actuator deeper than 1e-6 of its size,
 /// and for one on the wrong side of a symmetry plane: contact with its mirror image would be missed.
 void refuse_overlaps(const design::Design& design, const model::Case& model, std::span<const ObstacleGap> gaps);
+
+/// For a sphere or a cylinder with a radius below the size of the cells that are nearest to it: the surface of the actuator cannot follow
+/// it, and single points touch it.
+[[nodiscard]] std::optional<std::string> small_obstacle_warning(const model::Obstacle& obstacle,
+                                                                const ObstacleGap& gap);
 
 /// For the shapes: the key `inside` of `word`, and the side of the actuator that it states.
 [[nodiscard]] design::Key inside_key(const std::string& word);

@@ -105,6 +105,18 @@ public:
         return {inside ? -norm(to) : norm(to), at};
     }
 
+    /// Longest side of the facet at a point of the surface, without its part along a unit vector, which may be 0.
+    [[nodiscard]] double side_m(const Point& at, const Vector3& axis) const {
+        const Facet& facet = facets_[nearest_facet(at).facet];
+        const auto corners = static_cast<std::size_t>(mesh::topology(facet.type).vertex_count);
+        double longest = 0;
+        for (std::size_t a = 0; a < corners; ++a) {
+            const Vector3 side = difference(facet.nodes[(a + 1) % corners], facet.nodes[a]);
+            longest = std::max(longest, norm(along(side, -dot(side, axis), axis)));
+        }
+        return longest;
+    }
+
     /// Those of the points that are deepest in the flat facets: the search on the curved facets is slow.
     [[nodiscard]] std::vector<OwnPoint> nearest(std::vector<OwnPoint> points) const {
         constexpr std::size_t enough = 100;
@@ -202,6 +214,8 @@ ObstacleGap gap_of(const model::Obstacle& obstacle, const model::Case& model, co
         const FreeSurface::Closest closest = surface.closest(own.point);
         take(closest.distance_m - own.radius_m, closest.at);
     }
+    const auto* cylinder = std::get_if<model::Cylinder>(&obstacle.shape);
+    gap.cell_m = surface.side_m(gap.at, cylinder ? cylinder->axis : Vector3{});
     return gap;
 }
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "core/text.hpp"
 #include "geometry/keys.hpp"
@@ -95,6 +96,20 @@ void refuse_overlaps(const design::Design& design, const model::Case& model, std
             std::string{"move it away, touching is allowed"} +
                 (request->shape == "plane" ? ", or turn its normal, which points to the actuator" : ""));
     }
+}
+
+std::optional<std::string> small_obstacle_warning(const model::Obstacle& obstacle, const ObstacleGap& gap) {
+    const auto radius_of = [](const auto& shape) {
+        if constexpr (requires { shape.side; })
+            if (shape.side == model::Side::outside) return shape.radius_m;
+        return std::numeric_limits<double>::infinity();
+    };
+    const double radius_m = std::visit(radius_of, obstacle.shape);
+    if (radius_m >= gap.cell_m) return std::nullopt;
+    return path_of(obstacle.name) + ": its radius of " + length_text(radius_m) +
+           " is below the size of the cells that are nearest, " + length_text(gap.cell_m) +
+           ", which touch it at single points and cannot follow it: forces come out too large; use cells of at "
+           "most half of the radius where they touch (mesh.size)";
 }
 
 design::Key inside_key(const std::string& word) {

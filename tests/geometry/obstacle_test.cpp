@@ -192,6 +192,28 @@ TEST(Overlap, OfATouchingObstacleIsAllowed) {
                 1e-6 * mm);
 }
 
+// The cells of the rod have sides of 5 mm.
+TEST(SmallObstacle, IsReportedWithTheSizeOfTheCells) {
+    const auto warnings = [](const std::string& text) {
+        const design::Design design = read(text);
+        return warnings_of(design, build_with_figures(design));
+    };
+    const auto ball = [](const std::string& radius, const std::string& z) {
+        return rod() + obstacle("sphere: {center: [23 mm, 5 mm, " + z + "], radius: " + radius + "}");
+    };
+    EXPECT_TRUE(warnings(ball("6 mm", "20 mm")).empty());
+    const auto small = warnings(ball("2 mm", "13 mm"));
+    ASSERT_EQ(small.size(), 1);
+    expect_words(small[0],
+                 {"obstacles.thing: its radius of 2 mm is below the size of the cells that are nearest, 5 mm,"});
+    const std::string post = "cylinder: {point: [23 mm, 0 mm, 20 mm], axis: [0, 1, 0], radius: ";
+    EXPECT_TRUE(warnings(rod() + obstacle(post + "6 mm}")).empty()) << "5 mm across its axis";
+    EXPECT_EQ(warnings(rod() + obstacle(post + "4 mm}")).size(), 1);
+    EXPECT_TRUE(warnings(tube + obstacle("cylinder: {point: [0 mm, 0 mm, 0 mm], axis: [1, 0, 0], radius: 11 mm, "
+                                         "inside: true}"))
+                    .empty());
+}
+
 TEST(Overlap, IsRefusedWithItsDepthAndPosition) {
     expect_words(refused(rod() + obstacle("plane: {point: [0 mm, 0 mm, 0.5 mm], normal: [0, 0, 1]}")),
                  {"a.yaml:", "obstacles.thing.plane.point: 'thing' overlaps the undeformed actuator by 500 um at x = ",
