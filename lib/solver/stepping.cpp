@@ -148,10 +148,11 @@ PredictorError error_of(const fem::System& system, const PathState& path, const 
 
 bool is_refused(const fem::System& system, const PathState& path, const PredictorError& error, const PathPoint& point) {
     const auto &modes = point.tangent.unstable_modes, &modes_before = path.last->tangent.unstable_modes;
-    if (path.control.kind == ConstraintKind::load_factor && error.state > predictor_error_without_jump && modes &&
+    const ConstraintKind kind = path.control.kind;
+    const bool is_smooth = !may_have_kinks(system, *path.last) && !point.touches;
+    if ((kind == ConstraintKind::load_factor || is_smooth) && error.state > predictor_error_without_jump && modes &&
         modes_before && *modes != *modes_before)
         return true;
-    const ConstraintKind kind = path.control.kind;
     const bool may_leave_branch = kind == ConstraintKind::arc
                                       ? may_have_kinks(system, *path.last)
                                       : kind != ConstraintKind::load_factor && path.last->touches;
