@@ -317,14 +317,22 @@ void ContactSurface::add_overlaps(const Entry& entry, const Entry& other) {
         if (at_least(other.undeformed, entry.X[q]) > entry.h_m[q]) continue;
         const ClosestPoint closest = closest_point(other.undeformed, entry.X[q]);
         const double overlap = entry.h_m[q] - closest.distance_m;
-        if (overlap <= 0 || (other.obstacle < 0 && !are_facing(entry, q, other.undeformed, closest))) continue;
-        double& largest = initial_overlap_m_[{entry.facet, q, other.obstacle}];
-        largest = std::max(largest, overlap);
+        if (other.obstacle >= 0) {
+            double& nearest = nearest_m_.try_emplace(other.obstacle, closest.distance_m).first->second;
+            nearest = std::min(nearest, closest.distance_m);
+        } else if (overlap > 0 && are_facing(entry, q, other.undeformed, closest)) {
+            double& largest = initial_overlap_m_[{entry.facet, q}];
+            largest = std::max(largest, overlap);
+        }
     }
 }
 
 double ContactSurface::initial_overlap_m(const Entry& entry, std::size_t q, int obstacle) const {
-    const auto known = initial_overlap_m_.find({entry.facet, q, obstacle});
+    if (obstacle >= 0) {
+        const auto nearest = nearest_m_.find(obstacle);
+        return nearest == nearest_m_.end() ? 0 : std::max(entry.h_m[q] - nearest->second, 0.0);
+    }
+    const auto known = initial_overlap_m_.find({entry.facet, q});
     return known == initial_overlap_m_.end() ? 0 : known->second;
 }
 

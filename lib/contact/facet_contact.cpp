@@ -317,13 +317,14 @@ void FacetContact::add_smooth(std::size_t q, const Point& x, const ObstacleDista
     const Distance d = obstacle.at(x, at_.shifts);
     const double h = entry_.h_m[q];
     if (!at_.rests && d.value_m >= h) return;  // at rest the clearance counts
-    const double initial = obstacle.distance(entry_.X[q]).value_m;
     const bool mirror = obstacle.index < 0;
+    const double initial = mirror ? obstacle.distance(entry_.X[q]).value_m : 0;
     if (mirror && initial <= touching_share_of_size * entry_.size_m) return;
     const bool along_rubber =
         mirror && !is_facing(entry_.undeformed, entry_, q, obstacle.distance(entry_.X[q]).gradient);
     const double reach = along_rubber ? std::min(h, share_of_initial_gap * initial) : h,
-                 gap = d.value_m + (along_rubber ? 0 : std::max(h - initial, 0.0));
+                 nearest = mirror ? initial : obstacle.nearest_m,
+                 gap = d.value_m + (along_rubber ? 0 : std::max(h - nearest, 0.0));
     clearance_of_obstacles_m_ = std::min(clearance_of_obstacles_m_, gap - reach);
     if (gap >= reach) return;
     const Barrier b = barrier(gap, reach);

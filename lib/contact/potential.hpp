@@ -8,8 +8,9 @@
 /// Facets are the curved facets of the mesh, and no term of the second derivatives is omitted.
 /// d_q is negative behind the facet, for points that have passed through it (has_passed_through in facet_contact.hpp): only Newton's
 /// iterates go there.
-/// No force acts without strain: where obstacles, or facets that face each other, are closer than h in the undeformed state, at D, the
-/// barrier depends on d + h - D. The h of other pairs is at most a tenth of D, which separates points that are close along the material.
+/// No force acts without strain: where facets that face each other are closer than h in the undeformed state, at D, the barrier depends on
+/// d + h - D. The h of other pairs is at most a tenth of D, which separates points that are close along the material. For an obstacle, D is the
+/// distance of the nearest point of the actuator: with that of each point the surface of a ball would have a dent where it touches.
 /// A symmetry plane, and the axis r = 0, is an obstacle without friction: a body touches its mirror image at the plane.
 /// Friction (friction.hpp) acts where a coefficient is positive. Its forces have no potential: the Hessian of a block is then their derivative,
 /// which is not symmetric, and E contains what friction stores.
@@ -100,7 +101,8 @@ public:
     [[nodiscard]] double share_without_crossing(std::span<const mesh::Point> from, std::span<const Vector3> shifts,
                                                 std::span<const mesh::Point> to, std::span<const Vector3> shifts_to);
 
-    /// Whether a sample point, on the straight way from one configuration to the other, passes through an obstacle, to another side of it, or more than h deep through its edge.
+    /// Whether a sample point, on the straight way from one configuration to the other, passes through an obstacle, to another side of it, or
+    /// more than h deep through its edge.
     [[nodiscard]] bool passes_through(std::span<const mesh::Point> from, std::span<const Vector3> shifts,
                                       std::span<const mesh::Point> to, std::span<const Vector3> shifts_to) const;
 

@@ -98,6 +98,7 @@ public:
         const std::size_t quantities = solved.model.outputs.size() + 2;  // load, outputs, stretch
         for (std::size_t k = 0; k < solved.cases.size(); ++k) {
             post::Column& column = curve_.columns.emplace_back();
+            column.jumps = at.index.has_value();
             const auto derivative = [&](std::size_t row) {
                 const auto of_row = [&] { return &solved.steps[row].derivatives[k * quantities]; };
                 if (!at.index) return of_row()[*quantity.index];

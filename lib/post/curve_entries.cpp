@@ -226,6 +226,7 @@ std::string suffix_of(const std::string& unit) {
 void add_derivatives(std::vector<Entry>& entries, const model::Case& model, std::span<const Step> steps) {
     if (model.outputs.empty() || model.parameters.empty()) return;
     const Column load = leading_column(model);
+    const bool is_timed = model::is_timed(model);
     struct Scale {
         std::string unit;
         double SI_per_unit;
@@ -239,11 +240,11 @@ void add_derivatives(std::vector<Entry>& entries, const model::Case& model, std:
             column.name += "_" + suffix_of(numerator) + (by.unit.empty() ? "" : "_per_" + suffix_of(by.unit));
         column.SI_per_unit = of.SI_per_unit / by.SI_per_unit;
         column.shown = Shown::on_demand;
+        column.jumps = !is_timed;
         entries.push_back({.column = std::move(column), .value_SI = std::move(value), .is_optional = true});
     };
     const Unit unit = column_unit(model.outputs.front().measure);
     const Scale of_load{load.unit, load.SI_per_unit}, of_output{std::string{unit.suffix}, unit.SI_per_unit};
-    const bool is_timed = model::is_timed(model);
     // The row of a stage in which nothing changes has no direction: that of the row before.
     const auto directed = [steps](const Step& step) -> const Step& {
         auto row = static_cast<std::size_t>(&step - steps.data());

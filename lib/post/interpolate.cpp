@@ -178,14 +178,18 @@ struct EndSlopes {
 };
 
 /// Slopes of each interval. `corners` are the rows at which a stage begins or that are kinks. Slopes on both sides of a corner are independent: between
-/// loading and unloading the energy has a maximum, but its slope is zero on neither side.
+/// loading and unloading the energy has a maximum, but its slope is zero on neither side. The rows at `jumps`, some of
+/// the corners, belong to the interval before them alone.
 std::vector<EndSlopes> slopes_by_stage(std::span<const double> s, std::span<const double> q,
-                                       std::span<const std::size_t> corners) {
+                                       std::span<const std::size_t> corners, std::span<const std::size_t> jumps) {
     std::vector<EndSlopes> ends;
     std::size_t first = 0;
     const auto add_until = [&](std::size_t last) {
+        const bool skips = std::ranges::binary_search(jumps, first) && last > first;
+        if (skips) ++first;
         const std::vector<double> slopes =
             monotone_slopes(s.subspan(first, last - first + 1), q.subspan(first, last - first + 1));
+        if (skips) ends.push_back({slopes.front(), slopes.front()});
         for (std::size_t i = 1; i < slopes.size(); ++i) ends.push_back({slopes[i - 1], slopes[i]});
         first = last;
     };
@@ -207,7 +211,7 @@ Path::Path(const Curve& curve) : curve_(&curve) {
     const Column* time = curve.find(Source::time);
     std::vector<Speeds> speeds;
     std::vector<double> chords{0};  // cumulative
-    std::vector<std::size_t> corners;
+    std::vector<std::size_t> corners, stage_starts;
     rows_.push_back(0);
     s_.push_back(0);
     for (std::size_t row = 1; row < curve.row_count(); ++row) {
@@ -219,6 +223,7 @@ Path::Path(const Curve& curve) : curve_(&curve) {
             time != nullptr ? speeds_in_time(metric, *time, before, row, known) : speeds_of(metric, before, row, known);
         if (!(next.start + next.end > 0)) continue;
         if (enters || std::ranges::binary_search(curve.kinks, before)) corners.push_back(rows_.size() - 1);
+        if (enters) stage_starts.push_back(rows_.size() - 1);
         rows_.push_back(row);
         speeds.push_back(next);
         s_.push_back(s_.back() +
@@ -229,7 +234,8 @@ Path::Path(const Curve& curve) : curve_(&curve) {
         std::vector<double> q;
         for (const std::size_t row : rows_) q.push_back(column.values[row]);
         const std::vector<double>& parameters = has_slopes(column) || time != nullptr ? s_ : chords;
-        const std::vector<EndSlopes> by_rows = slopes_by_stage(parameters, q, corners);
+        const auto jumps = std::span<const std::size_t>(stage_starts).first(column.jumps ? stage_starts.size() : 0);
+        const std::vector<EndSlopes> by_rows = slopes_by_stage(parameters, q, corners, jumps);
         const auto slope = [&](std::size_t i, double speed, double otherwise) {
             const double norm = has_slopes(column) ? metric.norm(rows_[i]) : 0;
             return norm > 0 ? column.slopes[rows_[i]] / norm * speed : otherwise;
@@ -246,6 +252,11 @@ Path::Path(const Curve& curve) : curve_(&curve) {
             if (known == second) start = 2 * difference - end;
             const bool turns = start * difference < 0 || end * difference < 0;
             if (known == none || (known != both && time != nullptr && turns)) start = end = difference;
+            if (std::ranges::binary_search(jumps, i)) {
+                const double change = by_rows[i].end * ds;
+                pieces.push_back({q[i + 1] - change, q[i + 1], change, change});
+                continue;
+            }
             pieces.push_back({q[i], q[i + 1], start, end});
         }
     }
@@ -263,6 +274,7 @@ double Path::in_interval(std::size_t column, std::size_t interval, double t) con
         case Role::stage: return t <= 0 ? left : right;
         case Role::flag: return t <= 0 ? left : t >= 1 ? right : std::min(left, right);
         case Role::dependent:
+            if (curve_->columns[column].jumps && t <= 0) return left;
             if (has_slopes(curve_->columns[column])) break;
             return pieces_[column][interval](std::clamp(progress_[interval](t), 0.0, 1.0));
         case Role::coordinate: break;

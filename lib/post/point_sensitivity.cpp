@@ -20,6 +20,7 @@ SensitivityColumns add_sensitivity_columns(Curve& curve, const model::Case& mode
     const auto slope = [&](std::size_t row, std::size_t q) { return slope_ratio(quantities[q], quantities[1], row); };
     const auto add = [&](auto value_at) {
         Column column;
+        column.jumps = !added.in_time;
         for (std::size_t row = 0; row < steps.size(); ++row) column.values.push_back(value_at(row));
         curve.columns.push_back(std::move(column));
     };

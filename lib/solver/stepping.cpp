@@ -149,17 +149,22 @@ PredictorError error_of(const fem::System& system, const PathState& path, const 
 bool is_refused(const fem::System& system, const PathState& path, const PredictorError& error, const PathPoint& point) {
     const auto &modes = point.tangent.unstable_modes, &modes_before = path.last->tangent.unstable_modes;
     const ConstraintKind kind = path.control.kind;
+    const auto before = branch_index(path, *path.last), here = branch_index(path, point);
+    const int change = before && here ? std::abs(*here - *before) : 0;
+    // By arc length the load may turn twice within a short step, and its count of modes with it; but under a control of the user the path ends
+    // at the first limit point, which must not be passed.
     const bool is_smooth = !may_have_kinks(system, *path.last) && !point.touches;
-    if ((kind == ConstraintKind::load_factor || is_smooth) && error.state > predictor_error_without_jump && modes &&
-        modes_before && *modes != *modes_before)
-        return true;
+    const bool by_arc = kind == ConstraintKind::arc;
+    const bool leaves = kind == ConstraintKind::load_factor
+                            ? modes && modes_before && *modes != *modes_before
+                            : is_smooth && (by_arc ? path.user_control && change > 1 : change > 0);
+    if (leaves && error.state > predictor_error_without_jump) return true;
     const bool may_leave_branch = kind == ConstraintKind::arc
                                       ? may_have_kinks(system, *path.last)
                                       : kind != ConstraintKind::load_factor && path.last->touches;
-    if (may_leave_branch && error.state > error_on_the_branch && path.attempts.failures < failures_before_kink) {
-        const auto before = branch_index(path, *path.last), here = branch_index(path, point);
-        if (before && here && (*before - *here) % 2 != 0) return true;
-    }
+    if (may_leave_branch && error.state > error_on_the_branch && path.attempts.failures < failures_before_kink &&
+        change % 2 != 0)
+        return true;
     if (system.input().solver.steps != model::StepRule::error_adaptive) return false;
     // At a kink of the law (fibres that become taut) the tangent is one-sided: the error does not fall with the step.
     const auto& rejected = path.attempts.rejected_error;

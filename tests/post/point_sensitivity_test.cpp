@@ -78,6 +78,24 @@ TEST(PointSensitivity, IsInterpolatedBetweenTheRows) {
     EXPECT_NEAR(path.at(25, load, first), f * 0.025, 2e-3 * f * 0.025);
 }
 
+/// Along the stage before, the load is held: its derivatives say nothing about those of the stage that begins at its last row.
+TEST(PointSensitivity, InTheFirstStepOfAStageIsThatOfThisStage) {
+    TwoOutputs path;
+    path.model.path.stages.resize(2);
+    for (std::size_t row = 0; row < path.steps.size(); ++row) {
+        model::Step& step = path.steps[row];
+        step.stage = row < 2 ? 0 : 1;
+        if (row >= 2) continue;
+        step.pressure_Pa = path.steps[1].outputs[0] * f * w;
+        step.tangent_pressure = 0;
+        step.tangent_load_factor = 1;
+        step.derivatives[load] = 0;
+    }
+    EXPECT_NEAR(path.at(25, load, first), f * 0.025, 2e-2 * f * 0.025);
+    EXPECT_NEAR(path.at(25, first, load), -0.025 / w, 2e-2 * 0.025 / w);
+    EXPECT_NEAR(path.at(20, first, load), 0.5, 1e-9) << "the last row of the stage before";
+}
+
 TEST(PointSensitivity, AtABifurcationIsThatBetweenTheRowsBesideIt) {
     TwoOutputs path;
     path.steps[1].derivatives = std::vector(3, model::no_derivative);
