@@ -35,6 +35,7 @@ public:
 
     /// True where nothing can ever touch.
     [[nodiscard]] bool is_empty() const { return potential_.is_empty(); }
+    [[nodiscard]] double distance_m() const { return potential_.distance_m(); }
     /// Displacement of each obstacle at x, under the levels last prescribed. Collective.
     [[nodiscard]] std::span<const Vector3> shifts(Vec x);
     /// Current position of a node of the free facets, at the state of the last evaluation.

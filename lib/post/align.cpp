@@ -8,6 +8,8 @@ namespace soft::post {
 namespace {
 
 constexpr double backward_penalty = 1e6;  // in squared ranges: larger than any real distance
+/// Of its range: a track that changes less from a row to the next one does not tell their positions.
+constexpr double standstill = 1e-4;
 
 std::size_t reversals(std::span<const double> values) {
     std::size_t count = 0;
@@ -23,6 +25,14 @@ std::size_t reversals(std::span<const double> values) {
 double range_of(std::span<const double> values) {
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
     return *high - *low;
+}
+
+/// Whether a track hardly changes before or after a row.
+bool stands_still(std::span<const double> values, std::size_t row, double range) {
+    const auto is_still = [&](std::size_t a, std::size_t b) {
+        return std::abs(values[b] - values[a]) <= standstill * range;
+    };
+    return (row > 0 && is_still(row - 1, row)) || (row + 1 < values.size() && is_still(row, row + 1));
 }
 
 /// Grows with the square, to at most `largest`.
@@ -69,21 +79,25 @@ std::size_t leading_track(std::span<const Track> tracks) {
 }
 
 std::vector<double> align(const Path& path, std::span<const Track> tracks, std::size_t leader,
-                          std::span<const double> targets) {
+                          std::span<const std::vector<double>> targets) {
     std::vector<double> ranges;
     for (const Track& track : tracks) ranges.push_back(range_of(track.values));
     std::vector<std::size_t> reached;
     std::vector<std::vector<Candidate>> rows;
-    for (std::size_t row = 0; row < targets.size(); ++row) {
+    const std::size_t row_count = tracks[leader].values.size();
+    for (std::size_t row = 0; row < row_count; ++row) {
         std::vector<Candidate> candidates;
-        for (const double s : path.crossings(tracks[leader].column, targets[row]))
-            candidates.push_back({s, distance(tracks, ranges, row, path.at(s))});
+        const bool any = stands_still(tracks[leader].values, row, ranges[leader]);
+        for (std::size_t track = 0; track < targets.size(); ++track)
+            if (track == leader || (any && ranges[track] > 0))
+                for (const double s : path.crossings(tracks[track].column, targets[track][row]))
+                    candidates.push_back({s, distance(tracks, ranges, row, path.at(s))});
         if (candidates.empty()) continue;
         if (!rows.empty()) link(candidates, rows.back());
         reached.push_back(row);
         rows.push_back(std::move(candidates));
     }
-    std::vector<double> positions(targets.size(), std::numeric_limits<double>::quiet_NaN());
+    std::vector<double> positions(row_count, std::numeric_limits<double>::quiet_NaN());
     if (rows.empty()) return positions;
     const auto cheapest = std::min_element(rows.back().begin(), rows.back().end(),
                                            [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });

@@ -212,10 +212,15 @@ Verdict check_golden(const Curve& curve, const core::Table& golden, const Tolera
         throw Error(ExitCode::bad_input, golden.source, "has no column to check besides the one that locates its rows",
                     "give a table with at least two quantities");
     const std::size_t leader = leading_track(tracks), column = tracks[leader].column;
+    const std::size_t coordinates = tracks.size();
     add_dependents(curve, pairs, tracks);
     const Path path(curve);
     const auto lead = std::find_if(pairs.begin(), pairs.end(), [&](const Pair& pair) { return pair.column == column; });
-    const std::vector<double> targets = within_reach(*lead, path.range(column), tolerance.relative);
+    std::vector<std::vector<double>> targets;
+    for (std::size_t i = 0; i < coordinates; ++i) {
+        const Pair& pair = *std::ranges::find(pairs, tracks[i].column, &Pair::column);
+        targets.push_back(within_reach(pair, path.range(pair.column), tolerance.relative));
+    }
     const std::vector<double> positions = align(path, tracks, leader, targets);
 
     Verdict verdict{lead->name, {}, golden.rows.size(), 0, 0, covered_fraction(positions, path)};

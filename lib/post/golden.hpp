@@ -4,8 +4,9 @@
 /// The golden rows need not be rows of the path: another machine, release or step-size rule may choose other steps on the same curve.
 /// Each golden row is therefore compared with the position on the smooth path (post/interpolate) where one coordinate, the leader, has
 /// its golden value. The leader is the first of time, outputs, volume, load and the others with the fewest reversals over the golden
-/// rows. Among several crossings, the positions are chosen that together lie nearest to the golden rows in the other coordinates (each
-/// divided by its golden range) without moving backwards along the path; where these do not change, in the other quantities.
+/// rows; where it stands still, any other coordinate serves too. Among several crossings, the positions are chosen that together lie
+/// nearest to the golden rows in the other coordinates (each divided by its golden range) without moving backwards along the path; where
+/// these do not change, in the other quantities.
 /// A row agrees in a column if |found - golden| <= atol + rtol max(|golden|, 1e-3 largest |golden| of the column).
 /// Between two rows of the path, quantities without slopes from the solver (stretches, energies, error bars) are additionally allowed
 /// the difference between smooth and linear interpolation. `stable` and `stage` may have the value of either row (at a row, also those

@@ -20,6 +20,8 @@ constexpr double first_share = 1e-3, share_after_kink = 0.1;
 constexpr double growth_without_estimate = 2.0, max_step_growth = 2.0, min_step_factor = 0.3, rejection = 1.5;
 /// The size of the motion is at least this fraction of the linear response.
 constexpr double size_share = 0.1;
+/// But where obstacles stop the body, which may fall freely before, at most the motion by this many contact distances.
+constexpr double distances_in_size = 10;
 /// And at least this fraction of the motion of an obstacle, which may reach the body late.
 constexpr double size_share_of_obstacles = 0.01;
 /// Steps of the starting method before generalised alpha (see the header): as many as its error estimate needs.
@@ -136,7 +138,10 @@ void MotionFollower::choose_first_step() {
                             short_text(stable_step_s_) + " s",
                         "use at most " + short_text(stable_share * stable_step_s_) + " s, or remove the key");
     } else if (!is_constant()) {
-        size_ = std::max(size_share * norm_of_linear_response(), size_share_of_obstacles * norm_of_obstacle_motion());
+        const double free = size_share * norm_of_linear_response(),
+                     stopped = distances_in_size * norm_of_rigid_motion(system_.contact().distance_m());
+        size_ = std::max(input_.obstacles.empty() || stopped == 0.0 ? free : std::min(free, stopped),
+                         size_share_of_obstacles * norm_of_obstacle_motion());
     }
     first_step_s_ = step_s_;
 }
@@ -161,7 +166,12 @@ double MotionFollower::norm_of_obstacle_motion() const {
         for (const auto& component : input_.motions[i].displacement_m) square += std::pow(component.value_or(0.0), 2);
         largest_m = std::max(largest_m, std::abs(input_.path.stages[0].motions[i]) * std::sqrt(square));
     }
-    return largest_m * linalg::norm(equations_.mask()) / std::sqrt(static_cast<double>(system_.dofs().dimension));
+    return norm_of_rigid_motion(largest_m);
+}
+
+/// The norm of the displacements of a body that moves by this length.
+double MotionFollower::norm_of_rigid_motion(double length_m) const {
+    return length_m * linalg::norm(equations_.mask()) / std::sqrt(static_cast<double>(system_.dofs().dimension));
 }
 
 /// An automatic explicit step follows the stable step; a user-selected one is shortened where the body has become too stiff for it.

@@ -40,6 +40,7 @@ private:
     void choose_first_step();
     [[nodiscard]] double norm_of_linear_response();
     [[nodiscard]] double norm_of_obstacle_motion() const;
+    [[nodiscard]] double norm_of_rigid_motion(double length_m) const;
     void advance();
     [[nodiscard]] double next_step();
     [[nodiscard]] double longest_step() const;

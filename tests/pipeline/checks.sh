@@ -66,3 +66,25 @@ if [ -n "$(type -P gnuplot)" ]; then
     refuses 65 'postprocess: --with *: the curve has no *' 'mesh-gen -q designs/sphere.yaml | solve -q -o sphere.h5; postprocess -q result.h5 --with sphere.h5 --plot x.svg -o x.csv'
 fi
 refuses 64 'postprocess: --with: has no effect without --plot or --report' 'postprocess -q result.h5 --with finer.h5'
+
+# Stages that hold the first pressure while another moves: rows of other steps are found by the pressure that moves
+cat >holds.yaml <<'DESIGN'
+family: two-spheres
+geometry: {inner_radius: 10 mm, outer_radius: 14 mm, gap: 10 mm}
+material: {law: neo-hookean, mu: 0.1644 MPa, kappa: incompressible}
+model: axisymmetric
+mesh: {quality: draft}
+supports: {}
+loads: {cavities: {left: {pressure: 20 kPa}, right: {pressure: 20 kPa}}}
+path:
+  stages:
+    left_up:    {loads: {cavities: {left: {pressure: 20 kPa}}}}
+    right_up:   {loads: {cavities: {right: {pressure: 20 kPa}}}}
+    left_down:  {loads: {cavities: {left: {pressure: 5 kPa}}}}
+    right_down: {loads: {cavities: {right: {pressure: 5 kPa}}}}
+outputs: {}
+DESIGN
+runs 'mesh-gen -q holds.yaml -o holds.h5 && solve -q holds.h5 | postprocess -q -o holds.csv'
+runs 'solve -q holds.h5 --set solver.first_step=0.005 | postprocess --check holds.csv -o other-steps.csv'
+runs 'solve -q holds.h5 --set solver.max_step=0.2 | postprocess --check holds.csv -o other-steps.csv'
+refuses 1 'postprocess: holds.csv:*' 'solve -q holds.h5 --set material.mu=0.165MPa | postprocess -q --check holds.csv -o other-mu.csv'
