@@ -178,7 +178,7 @@ double max_relative_bar(const Rows& rows) {
         if (outputs == 0) return false;  // nothing else could be bounded
         if (model::holds_load(step)) return true;
         const CurvePoint tangent = measure.tangent(step);
-        return std::abs(tangent.measure) * load_range < standstill * std::abs(tangent.load) * range;
+        return std::abs(tangent.measure) * load_range <= standstill * std::abs(tangent.load) * range;
     };
     double worst = 0;
     const auto consider = [&](auto&& value_of, auto&& bar_of, auto&& counts) {

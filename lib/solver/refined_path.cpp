@@ -9,14 +9,17 @@ namespace soft::solver {
 
 namespace {
 
-/// Relative tolerance to find the goal that ended a stage from the transferred state: the largest change due to the mesh.
-constexpr double meets_goal = 5e-3;
+/// Relative tolerance to find the goal that ended a stage from the state nearest to the coarse one: the largest change due to the mesh.
+constexpr double meets_goal = 5e-2;
 
 /// Change of the unknowns that may be left in rows that are only compared; a quadratic step leaves far less.
 constexpr double enough_to_compare = 1e-5;
 
 /// Bound of the extrapolation of the difference between the meshes.
 constexpr double max_growth = 2;
+
+/// Of the load factor: where an obstacle moves with the load, the state nearest to one in contact may be one that has left it, at a load farther away.
+constexpr double same_load = 0.05;
 
 /// The most parts in which a row is approached from the one before.
 constexpr int max_parts = 64;
@@ -69,6 +72,7 @@ State RefinedPath::carry_over(const RowState& coarse) {
 
 /// Solves for the goal that the coarse path has reached. False if no goal is close enough, or the solution does not converge.
 bool RefinedPath::end_stage(State& state) {
+    if (!corrector_.correct(nearest_, 0.0, state)) return false;
     const auto goals = make_goals(system_.input(), stage_, *loads_, undeformed_volumes_m3_);
     system_.prescribe(loads_->levels(state.load_factor, state.pressures_Pa));
     const Goal* met = nullptr;
@@ -80,7 +84,7 @@ bool RefinedPath::end_stage(State& state) {
         smallest = off;
         met = &goal;
     }
-    if (met == nullptr || !corrector_.correct(nearest_, 0.0, state)) return false;
+    if (met == nullptr) return false;
     corrector_.newton().keep_factor();
     return corrector_.correct(met->constraint, met->target, state);
 }
@@ -102,16 +106,21 @@ std::optional<State> RefinedPath::equilibrium(const RowState& coarse, RowPositio
         if (end_stage(state)) return state;
         state = carry_over(coarse);
     }
-    if (corrector_.correct(nearest_, 0.0, state)) return state;
-    // Where the state that is carried over does not touch the obstacle that moves, the load does not move it.
     const model::Case& input = system_.input();
     const bool moves_obstacle = std::ranges::any_of(
         input.motions, [&](const model::Motion& motion) { return model::moves_obstacle(input, motion); });
-    if (moves_obstacle && corrector_.last_result().end == NewtonEnd::singular)
+    const auto is_found = [&] {
+        return corrector_.correct(nearest_, 0.0, state) &&
+               (!moves_obstacle || std::abs(state.load_factor - coarse.step.load_factor) <= same_load);
+    };
+    if (is_found()) return state;
+    // Where the state that is carried over does not touch the obstacle that moves, the load does not move it.
+    const NewtonEnd end = corrector_.last_result().end;
+    if (moves_obstacle && (end == NewtonEnd::singular || end == NewtonEnd::converged))
         if (auto found = at_equal_load(coarse)) return found;
     corrected_m_ = 0;  // retry without the row before
     state = carry_over(coarse);
-    if (corrector_.correct(nearest_, 0.0, state)) return state;
+    if (is_found()) return state;
     // What an obstacle moves follows it, and hardly moves along the path where it slides.
     auto followed = moves_obstacle ? follow_from_last(coarse, Approach::by_load) : std::nullopt;
     if (!followed) followed = follow_from_last(coarse, Approach::to_the_nearest);
