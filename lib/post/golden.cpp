@@ -89,13 +89,15 @@ PathPosition locate(const Path& path, std::size_t row_count, double s) {
 }
 
 /// Additional tolerance for a column that the solver computes at the rows only.
-double interpolation_allowance(const Column& column, const PathPosition& position, double found, double golden) {
+double interpolation_allowance(const Column& column, const PathPosition& position, bool enters_stage, double found,
+                               double golden) {
     switch (column.role) {
         case Role::coordinate:
         case Role::counter: return 0;
         case Role::dependent: {
-            const double straight = column.values[position.left] +
-                                    position.t * (column.values[position.right] - column.values[position.left]);
+            const double right = column.values[position.right],
+                         left = column.jumps && enters_stage ? right : column.values[position.left],
+                         straight = left + position.t * (right - left);
             return std::abs(found - straight);
         }
         case Role::flag:
@@ -106,12 +108,12 @@ double interpolation_allowance(const Column& column, const PathPosition& positio
     return 0;
 }
 
-/// Values of the leading column; a value that misses the path by less than its tolerance is replaced by the nearest end.
-std::vector<double> within_reach(const Pair& lead, const Path::Range& range, double relative) {
+/// Values of a coordinate; a value that misses the path by less than its tolerance is replaced by the nearest end.
+std::vector<double> within_reach(const Pair& pair, const Path::Range& range, double relative) {
     std::vector<double> targets;
-    for (const double value : lead.golden) {
+    for (const double value : pair.golden) {
         const double nearest = std::clamp(value, range.lowest, range.highest);
-        targets.push_back(std::abs(value - nearest) <= lead.allowed(value, relative) ? nearest : value);
+        targets.push_back(std::abs(value - nearest) <= pair.allowed(value, relative) ? nearest : value);
     }
     return targets;
 }
@@ -155,11 +157,13 @@ struct RowCheck {
     void at(std::size_t row, double s) {
         const std::vector<double> found = path.at(s);
         const PathPosition position = locate(path, curve.row_count(), s);
+        const Column* stage = curve.find("stage");
+        const bool enters = stage != nullptr && stage->values[position.left] != stage->values[position.right];
         for (std::size_t i = 0; i < pairs.size(); ++i) {
             const Pair& pair = pairs[i];
             if (pair.column == absent) continue;
             const double value = pair.golden[row], here = found[pair.column];
-            const double allowance = interpolation_allowance(curve.columns[pair.column], position, here, value);
+            const double allowance = interpolation_allowance(curve.columns[pair.column], position, enters, here, value);
             compare(i, {row, value, here, pair.allowed(value, relative) + allowance});
         }
     }
@@ -211,16 +215,14 @@ Verdict check_golden(const Curve& curve, const core::Table& golden, const Tolera
     if (known < 2)
         throw Error(ExitCode::bad_input, golden.source, "has no column to check besides the one that locates its rows",
                     "give a table with at least two quantities");
-    const std::size_t leader = leading_track(tracks), column = tracks[leader].column;
-    const std::size_t coordinates = tracks.size();
+    const std::size_t leader = leading_track(tracks), coordinates = tracks.size();
     add_dependents(curve, pairs, tracks);
     const Path path(curve);
-    const auto lead = std::find_if(pairs.begin(), pairs.end(), [&](const Pair& pair) { return pair.column == column; });
+    const auto pair_of = [&](const Track& track) { return std::ranges::find(pairs, track.column, &Pair::column); };
+    const auto lead = pair_of(tracks[leader]);
     std::vector<std::vector<double>> targets;
-    for (std::size_t i = 0; i < coordinates; ++i) {
-        const Pair& pair = *std::ranges::find(pairs, tracks[i].column, &Pair::column);
-        targets.push_back(within_reach(pair, path.range(pair.column), tolerance.relative));
-    }
+    for (const Track& track : std::span(tracks).first(coordinates))
+        targets.push_back(within_reach(*pair_of(track), path.range(track.column), tolerance.relative));
     const std::vector<double> positions = align(path, tracks, leader, targets);
 
     Verdict verdict{lead->name, {}, golden.rows.size(), 0, 0, covered_fraction(positions, path)};

@@ -177,9 +177,9 @@ struct EndSlopes {
     double start, end;
 };
 
-/// Slopes of each interval. `corners` are the rows at which a stage begins or that are kinks. Slopes on both sides of a corner are independent: between
-/// loading and unloading the energy has a maximum, but its slope is zero on neither side. The rows at `jumps`, some of
-/// the corners, belong to the interval before them alone.
+/// Slopes of each interval. `corners` are the rows at which a stage begins or that are kinks. Slopes on both sides of a corner are
+/// independent: between loading and unloading the energy has a maximum, but its slope is zero on neither side. The rows at `jumps`, some
+/// of the corners, belong to the interval before them alone.
 std::vector<EndSlopes> slopes_by_stage(std::span<const double> s, std::span<const double> q,
                                        std::span<const std::size_t> corners, std::span<const std::size_t> jumps) {
     std::vector<EndSlopes> ends;
@@ -197,6 +197,9 @@ std::vector<EndSlopes> slopes_by_stage(std::span<const double> s, std::span<cons
     add_until(s.size() - 1);
     return ends;
 }
+
+/// Of an interval: a point this close to its start is the row there, as the solver meets the end of a stage to its tolerance.
+constexpr double at_a_row = 1e-6;
 
 /// True if the solver provides the derivative of the column along the path.
 bool has_slopes(const Column& column) { return !column.slopes.empty(); }
@@ -234,7 +237,7 @@ Path::Path(const Curve& curve) : curve_(&curve) {
         std::vector<double> q;
         for (const std::size_t row : rows_) q.push_back(column.values[row]);
         const std::vector<double>& parameters = has_slopes(column) || time != nullptr ? s_ : chords;
-        const auto jumps = std::span<const std::size_t>(stage_starts).first(column.jumps ? stage_starts.size() : 0);
+        const std::span<const std::size_t> jumps = column.jumps ? std::span(stage_starts) : std::span<std::size_t>{};
         const std::vector<EndSlopes> by_rows = slopes_by_stage(parameters, q, corners, jumps);
         const auto slope = [&](std::size_t i, double speed, double otherwise) {
             const double norm = has_slopes(column) ? metric.norm(rows_[i]) : 0;
@@ -252,12 +255,12 @@ Path::Path(const Curve& curve) : curve_(&curve) {
             if (known == second) start = 2 * difference - end;
             const bool turns = start * difference < 0 || end * difference < 0;
             if (known == none || (known != both && time != nullptr && turns)) start = end = difference;
+            double from = q[i];
             if (std::ranges::binary_search(jumps, i)) {
-                const double change = by_rows[i].end * ds;
-                pieces.push_back({q[i + 1] - change, q[i + 1], change, change});
-                continue;
+                start = end = by_rows[i].end * ds;
+                from = q[i + 1] - end;
             }
-            pieces.push_back({q[i], q[i + 1], start, end});
+            pieces.push_back({from, q[i + 1], start, end});
         }
     }
     for (std::size_t i = 0; i < speeds.size(); ++i)
@@ -271,10 +274,10 @@ double Path::in_interval(std::size_t column, std::size_t interval, double t) con
     const double right = curve_->columns[column].values[rows_[interval + 1]];
     switch (curve_->columns[column].role) {
         case Role::counter: return left + t * (right - left);
-        case Role::stage: return t <= 0 ? left : right;
+        case Role::stage: return t <= at_a_row ? left : right;
         case Role::flag: return t <= 0 ? left : t >= 1 ? right : std::min(left, right);
         case Role::dependent:
-            if (curve_->columns[column].jumps && t <= 0) return left;
+            if (curve_->columns[column].jumps && t <= at_a_row) return left;
             if (has_slopes(curve_->columns[column])) break;
             return pieces_[column][interval](std::clamp(progress_[interval](t), 0.0, 1.0));
         case Role::coordinate: break;

@@ -5,8 +5,8 @@
 /// Steps: constant (Dynamics::step_s), by the stable step (explicit), else by the local error of x,
 ///   e = method's own (embedded) or constant x h^(q+1) |(q+1)! x[t0 .. t(q+1)]|, the divided difference of the last positions,
 /// which must be below `accuracy` x the size of the motion: the largest |x| so far, at least a tenth of the linear response
-/// (K0 + M / duration^2)^-1 f to all loads at their full level, and a hundredth of the motion of the fastest obstacle. Adaptive steps end at the kinks of the loads and are small
-/// after them.
+/// (K0 + M / duration^2)^-1 f to all loads at their full level (with obstacles at most the norm of a motion by ten contact distances), and a
+/// hundredth of the motion of the fastest obstacle. Adaptive steps end at the kinks of the loads and are small after them.
 ///
 /// Loads that act suddenly accelerate the body in modes that no step resolves, by F/M of single cells. Generalised alpha, whose first
 /// step uses a(0), excites them with velocities of h F/M. With stiffness damping these velocities cause forces far above the load.

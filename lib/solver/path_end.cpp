@@ -143,7 +143,7 @@ std::optional<Stop> stop_before_step(const PathState& path, fem::System& system)
 }
 
 std::optional<Stop> stop_before_row(const PathState& path, const PathPoint& point, const fem::System& system) {
-    constexpr double runaway = 1e4, farthest = 1e3,
+    constexpr double runaway = 1e4, farthest = 1e6,
                      unmoved = 1e-8;  // change of the load factor; of the state by the loads of the stage
     const double by_loads = linalg::norm(point.tangent.x) / std::abs(point.tangent.load_factor);
     const auto last = [&] { return state_text(*path.last, system.input()); };

@@ -18,8 +18,11 @@ constexpr double enough_to_compare = 1e-5;
 /// Bound of the extrapolation of the difference between the meshes.
 constexpr double max_growth = 2;
 
-/// Of the load factor: where an obstacle moves with the load, the state nearest to one in contact may be one that has left it, at a load farther away.
+/// Of the load factor: where an obstacle moves with the load, the state nearest to one in contact may be one that has left it, at a load
+/// farther away.
 constexpr double same_load = 0.05;
+/// Of the load factor, which ends a stage at its full load.
+constexpr double full_load = 1e-9;
 
 /// The most parts in which a row is approached from the one before.
 constexpr int max_parts = 64;
@@ -33,7 +36,10 @@ RefinedPath::RefinedPath(fem::System& fine, const mesh::Refined& refined)
       origin_(fine.make_vector()),
       direction_(fine.make_vector()),
       correction_(fine.make_vector()),
-      undeformed_volumes_m3_(undeformed_volumes_m3(fine)) {
+      undeformed_volumes_m3_(undeformed_volumes_m3(fine)),
+      moves_obstacle_(std::ranges::any_of(fine.input().motions, [&](const model::Motion& motion) {
+          return model::moves_obstacle(fine.input(), motion);
+      })) {
     const int frequencies = fine.input().path.frequencies;
     if (frequencies > 0) frequencies_.emplace(fine, frequencies);
 }
@@ -70,14 +76,24 @@ State RefinedPath::carry_over(const RowState& coarse) {
     return state;
 }
 
+bool RefinedPath::is_at_load(const State& state, const RowState& coarse) const {
+    return !moves_obstacle_ || std::abs(state.load_factor - coarse.step.load_factor) <= same_load;
+}
+
+bool RefinedPath::correct_to_nearest(State& state, const RowState& coarse) {
+    return corrector_.correct(nearest_, 0.0, state) && is_at_load(state, coarse);
+}
+
 /// Solves for the goal that the coarse path has reached. False if no goal is close enough, or the solution does not converge.
-bool RefinedPath::end_stage(State& state) {
-    if (!corrector_.correct(nearest_, 0.0, state)) return false;
+bool RefinedPath::end_stage(State& state, const RowState& coarse) {
+    if (!correct_to_nearest(state, coarse)) return false;
     const auto goals = make_goals(system_.input(), stage_, *loads_, undeformed_volumes_m3_);
     system_.prescribe(loads_->levels(state.load_factor, state.pressures_Pa));
+    const bool at_full_load = std::abs(coarse.step.load_factor - 1.0) <= full_load;
     const Goal* met = nullptr;
     double smallest = meets_goal;
     for (const Goal& goal : goals) {
+        if ((goal.constraint.kind == ConstraintKind::load_factor) != at_full_load) continue;
         const double value = corrector_.value(goal.constraint, *loads_, state);
         const double off = std::abs(remaining(goal.constraint, system_.input(), goal.target, value) / goal.target);
         if (!(off < smallest)) continue;
@@ -103,29 +119,22 @@ std::optional<State> RefinedPath::equilibrium(const RowState& coarse, RowPositio
         return std::nullopt;
     }
     if (position == RowPosition::ends_stage) {
-        if (end_stage(state)) return state;
+        if (end_stage(state, coarse)) return state;
         state = carry_over(coarse);
     }
-    const model::Case& input = system_.input();
-    const bool moves_obstacle = std::ranges::any_of(
-        input.motions, [&](const model::Motion& motion) { return model::moves_obstacle(input, motion); });
-    const auto is_found = [&] {
-        return corrector_.correct(nearest_, 0.0, state) &&
-               (!moves_obstacle || std::abs(state.load_factor - coarse.step.load_factor) <= same_load);
-    };
-    if (is_found()) return state;
+    if (correct_to_nearest(state, coarse)) return state;
     // Where the state that is carried over does not touch the obstacle that moves, the load does not move it.
     const NewtonEnd end = corrector_.last_result().end;
-    if (moves_obstacle && (end == NewtonEnd::singular || end == NewtonEnd::converged))
+    if (moves_obstacle_ && (end == NewtonEnd::singular || end == NewtonEnd::converged))
         if (auto found = at_equal_load(coarse)) return found;
     corrected_m_ = 0;  // retry without the row before
     state = carry_over(coarse);
-    if (is_found()) return state;
+    if (correct_to_nearest(state, coarse)) return state;
     // What an obstacle moves follows it, and hardly moves along the path where it slides.
-    auto followed = moves_obstacle ? follow_from_last(coarse, Approach::by_load) : std::nullopt;
+    auto followed = moves_obstacle_ ? follow_from_last(coarse, Approach::by_load) : std::nullopt;
     if (!followed) followed = follow_from_last(coarse, Approach::to_the_nearest);
     if (followed && position == RowPosition::ends_stage)
-        if (State goal = copy_of(*followed); end_stage(goal)) return goal;
+        if (State goal = copy_of(*followed); end_stage(goal, coarse)) return goal;
     return followed ? std::move(followed) : at_equal_load(coarse);
 }
 
@@ -159,7 +168,7 @@ std::optional<State> RefinedPath::follow_from_last(const RowState& coarse, Appro
             if (!corrector_.correct(by_load ? Constraint{ConstraintKind::load_factor} : nearest,
                                     by_load ? state.load_factor : 0.0, state))
                 break;
-            if (part == parts) return state;
+            if (part == parts && is_at_load(state, coarse)) return state;
         }
     }
     return std::nullopt;

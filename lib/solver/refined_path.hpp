@@ -6,7 +6,7 @@
 /// (the arc constraint, t of unit length, zero in the pressure unknowns) and a free load factor: the state of the finer
 /// mesh nearest to that of the coarse one, which exists at limit points and on branches alike. Newton's method starts from u0 plus the
 /// difference that it found in the row before; else from u0; else it follows the chord of the coarse path in parts from that row; else the
-/// load is that of the coarse row. The last row of a stage instead prescribes what ended the stage (its load factor or an `until`). Load levels are relative to the state that the finer
+/// load is that of the coarse row. With an obstacle that moves, a state counts only within 0.05 of the load factor of the coarse row. The last row of a stage instead prescribes what ended the stage (its load factor or an `until`). Load levels are relative to the state that the finer
 /// mesh has at the end of the stage before.
 /// Tested by solver/accuracy_test and the verification suite.
 #include <optional>
@@ -39,7 +39,11 @@ private:
     /// The initial guess of a row. Sets nearest_: the arc constraint, or the load factor where the tangent is zero.
     [[nodiscard]] State carry_over(const RowState& coarse);
     [[nodiscard]] std::optional<State> equilibrium(const RowState& coarse, RowPosition position);
-    [[nodiscard]] bool end_stage(State& state);
+    [[nodiscard]] bool end_stage(State& state, const RowState& coarse);
+    /// With an obstacle that moves: whether the load is near that of the row. Elsewhere the state has left the obstacle.
+    [[nodiscard]] bool is_at_load(const State& state, const RowState& coarse) const;
+    /// Solves for the state nearest to the coarse row, at its load.
+    [[nodiscard]] bool correct_to_nearest(State& state, const RowState& coarse);
     /// The row approached from the one before in parts of the coarse step, where the guess is too far away, as in contact.
     enum class Approach { by_load, to_the_nearest };
     [[nodiscard]] std::optional<State> follow_from_last(const RowState& coarse, Approach approach);
@@ -57,6 +61,7 @@ private:
     double corrected_m_ = 0;                     // norm of that origin; 0: there is none
     std::vector<double> undeformed_volumes_m3_;  // by load
     Constraint nearest_;
+    bool moves_obstacle_;
     std::optional<PathPoint> last_;
     std::optional<NaturalFrequencies> frequencies_;
     FromTangent of_last_ = FromTangent::along_the_path;

@@ -151,8 +151,8 @@ bool is_refused(const fem::System& system, const PathState& path, const Predicto
     const ConstraintKind kind = path.control.kind;
     const auto before = branch_index(path, *path.last), here = branch_index(path, point);
     const int change = before && here ? std::abs(*here - *before) : 0;
-    // By arc length the load may turn twice within a short step, and its count of modes with it; but under a control of the user the path ends
-    // at the first limit point, which must not be passed.
+    // By arc length the load may turn twice within a short step, and its count of modes with it; but under a control of the user the path
+    // ends at the first limit point, which must not be passed.
     const bool is_smooth = !may_have_kinks(system, *path.last) && !point.touches;
     const bool by_arc = kind == ConstraintKind::arc;
     const bool leaves = kind == ConstraintKind::load_factor

@@ -39,7 +39,8 @@ struct PredictorError {
 [[nodiscard]] PredictorError error_of(const fem::System& system, const PathState& path, const Aim& aim,
                                       const PathPoint& point);
 
-/// A changed inertia means another branch, unless the predictor shows that the path has just passed a bifurcation. Steps that
+/// A changed inertia means another branch, unless the predictor shows that the path has just passed a bifurcation (by arc length without a
+/// control of the user only at kinks and in contact). Steps that
 /// are chosen by the predictor's error are also repeated where it is large.
 [[nodiscard]] bool is_refused(const fem::System& system, const PathState& path, const PredictorError& error,
                               const PathPoint& point);

@@ -84,6 +84,43 @@ TEST(RoundObstacle, IsNotPassedOffItsCentre) {
     EXPECT_TRUE(potential.passes_through(model.mesh.points, shifts, model.mesh.points, {{{-3, 0, 0}}}));
 }
 
+/// Of the radius R, about a point at x = 1 + `away`: it touches the block at (1, 0.5) if R = away.
+std::vector<model::Obstacle> round_obstacles(double radius, double away) {
+    constexpr int segments = 2000;
+    const mesh::Point centre{1 + away, 0.5, 0};
+    model::FacetedSurface polygon;
+    for (int i = 0; i < segments; ++i) {
+        const double angle = 2 * std::numbers::pi * i / segments;
+        polygon.points.push_back({centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle), 0});
+        polygon.facets.push_back({i, (i + 1) % segments, -1});
+    }
+    return {{"cylinder", model::Cylinder{centre, {0, 0, 1}, radius, model::Side::outside}}, {"polygon", polygon}};
+}
+
+/// The contact distance h is 2 % of facets of 0.5. Nothing acts without motion; then as on an obstacle that is smaller by h, which acts from its
+/// distance of h on. A different offset at each point would give the obstacle a dent.
+TEST(RoundObstacle, ThatTouchesAtTheStartKeepsItsShape) {
+    constexpr double radius = 3, h = 0.01;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const model::Case touching = block_before(round_obstacles(radius, radius)[k]),
+                          smaller = block_before(round_obstacles(radius - h, radius)[k]);
+        const auto energy = [](const model::Case& model, double way) {
+            Potential potential(model, std::array{1e5});
+            const std::vector<Vector3> shifts(1);
+            return potential
+                .evaluate(
+                    moved(model, way, 0), shifts, Wanted::gradient, [](mesh::Index) { return true; },
+                    [](const Block&) {})
+                .energy_J;
+        };
+        EXPECT_EQ(energy(touching, 0), 0);
+        for (const double way : {0.3 * h, 2 * h, 4 * h}) {
+            EXPECT_GT(energy(touching, way), 0);
+            EXPECT_NEAR(energy(touching, way) / energy(smaller, way), 1, k == 0 ? 1e-9 : 1e-2) << way;
+        }
+    }
+}
+
 /// A face that is draped over an edge of 60 degrees slides over it.
 TEST(SharpObstacle, IsNotPassedThroughByWhatSlidesOverItsEdge) {
     const double half = std::tan(std::numbers::pi / 6);

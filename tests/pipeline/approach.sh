@@ -164,7 +164,7 @@ runs "mesh-gen -q pad.yaml --set 'path={stages: {press: {loads: {bar: {displacem
 runs "mesh-gen -q pad.yaml --set 'obstacles.bar.cylinder.point=[20 mm, 18.1 mm, 0 mm]' --set loads.bar.displacement=-2.1mm | solve -q | postprocess -q -o apart.csv"
 awk -F, 'NR == 1 || $2 == 1' rests.csv >pressed.csv
 for column in push_N peak_kPa; do
-    claim "a bar that rests at the start presses like one that does not: $column" within "$(awk -v a="$(column $column pressed.csv | tail -n 1)" -v b="$(column $column apart.csv | tail -n 1)" 'BEGIN { print a / b }')" 0.96 1.04
+    claim "a bar that rests at the start presses like one that does not: $column" within "$(awk -v a="$(column $column pressed.csv | tail -n 1)" -v b="$(column $column apart.csv | tail -n 1)" 'BEGIN { print a / b }')" 0.965 1.005
 done
 claim "lifted, it touches nothing" within "$(column push_N rests.csv | tail -n 1)" -1e-9 1e-9
 # The sleeve of a ring, drawn as thin as a sheet: sqrt(15^2 - 12.5^2 + 10^2) - 10 mm less the gap.

@@ -167,6 +167,33 @@ TEST(Golden, TellsRowsWithEqualCoordinatesApartByTheOtherQuantities) {
     EXPECT_EQ(check_golden(curve, golden, {1e-3, {}}).differing_rows, 1u);
 }
 
+/// Two chambers: the first pressure rises, then it is held while the second one rises.
+TEST(Golden, FindsRowsOfAStageThatHoldsTheLeaderByWhatMoves) {
+    const auto curve_of = [](int rows) {
+        Curve curve;
+        for (const char* name : {"left_kPa", "right_kPa", "volume_mL", "stage"}) {
+            Column column{.name = name, .quantity = name, .unit = ""};
+            column.role = column.name == "stage" ? Role::stage : Role::coordinate;
+            for (int row = 0; row <= 2 * rows; ++row) {
+                const double left = std::min(1.0, static_cast<double>(row) / rows) * 20,
+                             right = std::max(0.0, static_cast<double>(row) / rows - 1) * 10;
+                column.values.push_back(column.name == "left_kPa"    ? left
+                                        : column.name == "right_kPa" ? right
+                                        : column.name == "volume_mL" ? 30 - 0.1 * left + 0.2 * right
+                                                                     : (row > rows ? 2 : 1));
+            }
+            curve.columns.push_back(std::move(column));
+        }
+        return curve;
+    };
+    const core::Table golden = core::read_table(csv_text(curve_of(8)), "golden.csv");
+    for (const int rows : {8, 5, 13}) EXPECT_TRUE(check_golden(curve_of(rows), golden, {}).agrees()) << rows;
+    core::Table wrong = golden;
+    wrong.rows[12][2] = "29.5";  // was 29
+    const Verdict verdict = check_golden(curve_of(13), wrong, {});
+    EXPECT_EQ(verdict.differing_rows, 1u);
+}
+
 TEST(Golden, RejectsInvalidTables) {
     EXPECT_THROW((void)verdict_on("1,2\n3,4\n"), Error);
     EXPECT_THROW((void)verdict_on("step,stable\n0,1\n"), Error);

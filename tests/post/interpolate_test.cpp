@@ -290,6 +290,34 @@ TEST(Path, ConvergesWithThirdOrderBeforeAFirstContact) {
     EXPECT_GT(std::log2(coarse / fine), 2.7);
 }
 
+/// Derivatives along the path jump where a stage begins. A stage ends where the solver meets its goal, up to rounding.
+TEST(Path, ExtrapolatesColumnsThatJumpIntoTheFirstIntervalOfAStage) {
+    const auto curve_of = [](std::size_t rows) {
+        Curve curve;
+        const auto add = [&](const char* name, Role role, const std::vector<double>& values) {
+            Column column{.name = name, .quantity = name, .unit = ""};
+            column.role = role;
+            column.values.assign(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(rows));
+            curve.columns.push_back(std::move(column));
+        };
+        add("x", Role::coordinate, {0, 1, 2, 3, 4});
+        add("stage", Role::stage, {1, 1, 1, 2, 2});
+        add("slope", Role::dependent, {1, 1, 1, 5, 6});
+        curve.columns.back().jumps = true;
+        return curve;
+    };
+    const auto slope_at = [&](std::size_t rows, double x) {
+        const Curve curve = curve_of(rows);
+        const Path path(curve);
+        return path.at(x / 2 * path.row_parameters()[2])[2];
+    };
+    for (const double x : {0.5, 1.5, 2.0, 2 + 1e-9}) EXPECT_NEAR(slope_at(5, x), 1, 1e-12) << x;
+    EXPECT_NEAR(slope_at(5, 2.5), 4.5, 1e-9);
+    EXPECT_NEAR(slope_at(5, 3), 5, 1e-9);
+    EXPECT_NEAR(slope_at(5, 3.5), 5.5, 1e-9);
+    EXPECT_NEAR(slope_at(4, 2.5), 5, 1e-9) << "the only row of its stage";
+}
+
 TEST(Path, OmitsAStageInWhichNothingChanges) {
     auto steps = two_stages(4);
     steps.insert(steps.begin() + 5, steps[4]);
