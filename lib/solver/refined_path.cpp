@@ -84,9 +84,9 @@ bool RefinedPath::correct_to_nearest(State& state, const RowState& coarse) {
     return corrector_.correct(nearest_, 0.0, state) && is_at_load(state, coarse);
 }
 
-/// Solves for the goal that the coarse path has reached. False if no goal is close enough, or the solution does not converge.
+/// Solves for the goal that the coarse path has reached, from the state of the row. False if no goal is close enough, or the solution does
+/// not converge.
 bool RefinedPath::end_stage(State& state, const RowState& coarse) {
-    if (!correct_to_nearest(state, coarse)) return false;
     const auto goals = make_goals(system_.input(), stage_, *loads_, undeformed_volumes_m3_);
     system_.prescribe(loads_->levels(state.load_factor, state.pressures_Pa));
     const bool at_full_load = std::abs(coarse.step.load_factor - 1.0) <= full_load;
@@ -118,24 +118,23 @@ std::optional<State> RefinedPath::equilibrium(const RowState& coarse, RowPositio
         if (corrector_.correct(nearest_, coarse.step.load_factor, state)) return state;
         return std::nullopt;
     }
-    if (position == RowPosition::ends_stage) {
-        if (end_stage(state, coarse)) return state;
-        state = carry_over(coarse);
-    }
-    if (correct_to_nearest(state, coarse)) return state;
+    const auto at_goal = [&](State found) {
+        if (position == RowPosition::ends_stage)
+            if (State goal = copy_of(found); end_stage(goal, coarse)) return goal;
+        return found;
+    };
+    if (correct_to_nearest(state, coarse)) return at_goal(std::move(state));
     // Where the state that is carried over does not touch the obstacle that moves, the load does not move it.
     const NewtonEnd end = corrector_.last_result().end;
     if (moves_obstacle_ && (end == NewtonEnd::singular || end == NewtonEnd::converged))
         if (auto found = at_equal_load(coarse)) return found;
     corrected_m_ = 0;  // retry without the row before
     state = carry_over(coarse);
-    if (correct_to_nearest(state, coarse)) return state;
+    if (correct_to_nearest(state, coarse)) return at_goal(std::move(state));
     // What an obstacle moves follows it, and hardly moves along the path where it slides.
     auto followed = moves_obstacle_ ? follow_from_last(coarse, Approach::by_load) : std::nullopt;
     if (!followed) followed = follow_from_last(coarse, Approach::to_the_nearest);
-    if (followed && position == RowPosition::ends_stage)
-        if (State goal = copy_of(*followed); end_stage(goal, coarse)) return goal;
-    return followed ? std::move(followed) : at_equal_load(coarse);
+    return followed ? at_goal(std::move(*followed)) : at_equal_load(coarse);
 }
 
 std::optional<State> RefinedPath::at_equal_load(const RowState& coarse) {
