@@ -7,6 +7,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "contact/signed_distance.hpp"
 #include "mesh/shape.hpp"
 #include "surface/free_facets.hpp"
 
@@ -283,6 +284,7 @@ void ContactSurface::set_contact_distances(double share) {
 
 void ContactSurface::add_obstacles(const model::Case& model) {
     std::size_t first_corner = model.mesh.points.size();
+    nearest_m_.assign(model.obstacles.size(), std::numeric_limits<double>::infinity());
     for (std::size_t k = 0; k < model.obstacles.size(); ++k)
         if (const auto* faceted = std::get_if<model::FacetedSurface>(&model.obstacles[k].shape)) {
             for (const auto& facet : faceted->facets) {
@@ -297,6 +299,10 @@ void ContactSurface::add_obstacles(const model::Case& model) {
                 entries_.push_back(std::move(entry));
             }
             first_corner += faceted->points.size();
+        } else {
+            const SignedDistance distance = signed_distance(model.obstacles[k]);
+            for (const Entry& entry : std::span(entries_).first(free_count_))
+                for (const Point& X : entry.X) nearest_m_[k] = std::min(nearest_m_[k], distance(X));
         }
     find_initial_overlaps();
 }
@@ -314,11 +320,11 @@ void ContactSurface::find_initial_overlaps() {
 
 void ContactSurface::add_overlaps(const Entry& entry, const Entry& other) {
     for (std::size_t q = 0; q < entry.X.size() && entry.obstacle < 0; ++q) {
-        if (at_least(other.undeformed, entry.X[q]) > entry.h_m[q]) continue;
+        if (at_least(other.undeformed, entry.X[q]) > (other.obstacle < 0 ? entry.h_m[q] : distance_m_)) continue;
         const ClosestPoint closest = closest_point(other.undeformed, entry.X[q]);
         const double overlap = entry.h_m[q] - closest.distance_m;
         if (other.obstacle >= 0) {
-            double& nearest = nearest_m_.try_emplace(other.obstacle, closest.distance_m).first->second;
+            double& nearest = nearest_m_[static_cast<std::size_t>(other.obstacle)];
             nearest = std::min(nearest, closest.distance_m);
         } else if (overlap > 0 && are_facing(entry, q, other.undeformed, closest)) {
             double& largest = initial_overlap_m_[{entry.facet, q}];
@@ -328,10 +334,7 @@ void ContactSurface::add_overlaps(const Entry& entry, const Entry& other) {
 }
 
 double ContactSurface::initial_overlap_m(const Entry& entry, std::size_t q, int obstacle) const {
-    if (obstacle >= 0) {
-        const auto nearest = nearest_m_.find(obstacle);
-        return nearest == nearest_m_.end() ? 0 : std::max(entry.h_m[q] - nearest->second, 0.0);
-    }
+    if (obstacle >= 0) return std::max(entry.h_m[q] - nearest_m_[static_cast<std::size_t>(obstacle)], 0.0);
     const auto known = initial_overlap_m_.find({entry.facet, q});
     return known == initial_overlap_m_.end() ? 0 : known->second;
 }

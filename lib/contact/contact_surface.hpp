@@ -73,8 +73,8 @@ public:
 
     [[nodiscard]] bool is_revolved() const { return is_revolved_; }
 
-    /// h - D, at least 0: of a sample point with D to the nearest facet of the actuator that faces it (-1), and for a faceted obstacle with D
-    /// of the sample point nearest to it.
+    /// h - D, at least 0: of a sample point with D to the nearest facet of the actuator that faces it (-1), and for an obstacle with D of the
+    /// sample point nearest to it.
     [[nodiscard]] double initial_overlap_m(const Entry& entry, std::size_t q, int obstacle) const;
 
     [[nodiscard]] Adjacency adjacency(std::size_t i, std::size_t j);
@@ -95,7 +95,7 @@ private:
     std::vector<mesh::Index> nodes_;
     std::unordered_map<std::uint64_t, Adjacency> adjacency_;                   // of the pairs met so far
     std::map<std::pair<mesh::Facet, std::size_t>, double> initial_overlap_m_;  // of the actuator with itself
-    std::map<int, double> nearest_m_;  // of the faceted obstacles within h of a point
+    std::vector<double> nearest_m_;  // of each obstacle, infinite beyond the largest h of a faceted one
     std::size_t free_count_ = 0, dimension_ = 3;
     double distance_m_ = 0;
     bool is_revolved_;

@@ -323,8 +323,9 @@ void FacetContact::add_smooth(std::size_t q, const Point& x, const ObstacleDista
     const bool along_rubber =
         mirror && !is_facing(entry_.undeformed, entry_, q, obstacle.distance(entry_.X[q]).gradient);
     const double reach = along_rubber ? std::min(h, share_of_initial_gap * initial) : h,
-                 nearest = mirror ? initial : obstacle.nearest_m,
-                 gap = d.value_m + (along_rubber ? 0 : std::max(h - nearest, 0.0));
+                 gap = d.value_m + (along_rubber ? 0
+                                    : mirror     ? std::max(h - initial, 0.0)
+                                                 : at_.surface.initial_overlap_m(entry_, q, obstacle.index));
     clearance_of_obstacles_m_ = std::min(clearance_of_obstacles_m_, gap - reach);
     if (gap >= reach) return;
     const Barrier b = barrier(gap, reach);

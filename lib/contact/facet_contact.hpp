@@ -36,7 +36,6 @@ struct Approach {
 struct ObstacleDistance {
     int index = -1;
     std::function<Distance(const mesh::Point&)> distance;  ///< undisplaced
-    double nearest_m = 0;  ///< of the sample points in the undeformed state; of smooth obstacles alone
 
     /// `shifts`: displacement of each obstacle.
     [[nodiscard]] Distance at(const mesh::Point& x, std::span<const Vector3> shifts) const {

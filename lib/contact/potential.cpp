@@ -72,13 +72,8 @@ public:
             const bool is_faceted = std::holds_alternative<model::FacetedSurface>(model.obstacles[k].shape);
             has_thin_obstacles =
                 has_thin_obstacles || is_faceted || std::holds_alternative<model::Box>(model.obstacles[k].shape);
-            ObstacleDistance& obstacle =
-                (is_faceted ? faceted : smooth)
-                    .emplace_back(ObstacleDistance{static_cast<int>(k), distance_with_gradient(model.obstacles[k])});
-            obstacle.nearest_m = std::numeric_limits<double>::infinity();
-            for (const auto& entry : surface.entries().first(is_faceted ? 0 : surface.free_count()))
-                for (const Point& X : entry.X)
-                    obstacle.nearest_m = std::min(obstacle.nearest_m, obstacle.distance(X).value_m);
+            (is_faceted ? faceted : smooth)
+                .push_back({static_cast<int>(k), distance_with_gradient(model.obstacles[k])});
         }
         const auto mirrors = surface::mirrors(model);
         for (std::size_t d = 0; self && d < 3; ++d) {

@@ -77,7 +77,6 @@ struct PathPosition {
 
 PathPosition locate(const Path& path, std::size_t row_count, double s) {
     const auto parameters = path.row_parameters();
-    constexpr double at_a_row = 1e-6;  // fraction of an interval: the solver's tolerance along the path is smaller
     if (parameters.size() < 2) return {0, 0, 0, 0, row_count - 1};
     const auto above = std::upper_bound(parameters.begin() + 1, parameters.end() - 1, s);
     const auto i = static_cast<std::size_t>(above - parameters.begin());

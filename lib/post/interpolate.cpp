@@ -198,9 +198,6 @@ std::vector<EndSlopes> slopes_by_stage(std::span<const double> s, std::span<cons
     return ends;
 }
 
-/// Of an interval: a point this close to its start is the row there, as the solver meets the end of a stage to its tolerance.
-constexpr double at_a_row = 1e-6;
-
 /// True if the solver provides the derivative of the column along the path.
 bool has_slopes(const Column& column) { return !column.slopes.empty(); }
 

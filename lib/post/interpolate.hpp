@@ -29,6 +29,9 @@
 
 namespace soft::post {
 
+/// Fraction of an interval within which a point is the row at its end: the solver's tolerance along the path is smaller.
+inline constexpr double at_a_row = 1e-6;
+
 /// Cubic on t in [0, 1] with values q0, q1 and slopes m0, m1 = dq/dt at the ends.
 struct Hermite {
     double q0, q1, m0, m1;
