@@ -88,15 +88,15 @@ PathPosition locate(const Path& path, std::size_t row_count, double s) {
 }
 
 /// Additional tolerance for a column that the solver computes at the rows only.
-double interpolation_allowance(const Column& column, const PathPosition& position, bool enters_stage, double found,
-                               double golden) {
+double interpolation_allowance(const Column& column, const PathPosition& position, bool enters_stage, bool ends_at_kink,
+                               double found, double golden) {
     switch (column.role) {
         case Role::coordinate:
         case Role::counter: return 0;
         case Role::dependent: {
-            const double right = column.values[position.right],
-                         left = column.jumps && enters_stage ? right : column.values[position.left],
-                         straight = left + position.t * (right - left);
+            const std::size_t before = column.jumps && enters_stage ? position.right : position.left,
+                              after = column.jumps && ends_at_kink ? position.left : position.right;
+            const double left = column.values[before], straight = left + position.t * (column.values[after] - left);
             return std::abs(found - straight);
         }
         case Role::flag:
@@ -158,11 +158,13 @@ struct RowCheck {
         const PathPosition position = locate(path, curve.row_count(), s);
         const Column* stage = curve.find("stage");
         const bool enters = stage != nullptr && stage->values[position.left] != stage->values[position.right];
+        const bool kink = std::ranges::binary_search(curve.kinks, position.right);
         for (std::size_t i = 0; i < pairs.size(); ++i) {
             const Pair& pair = pairs[i];
             if (pair.column == absent) continue;
             const double value = pair.golden[row], here = found[pair.column];
-            const double allowance = interpolation_allowance(curve.columns[pair.column], position, enters, here, value);
+            const double allowance =
+                interpolation_allowance(curve.columns[pair.column], position, enters, kink, here, value);
             compare(i, {row, value, here, pair.allowed(value, relative) + allowance});
         }
     }

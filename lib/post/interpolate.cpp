@@ -177,20 +177,24 @@ struct EndSlopes {
     double start, end;
 };
 
+/// Whether a column that jumps (Column::jumps) has at one end of an interval the value of the neighbouring interval.
+enum class Jump { none, at_start, at_end };
+
 /// Slopes of each interval. `corners` are the rows at which a stage begins or that are kinks. Slopes on both sides of a corner are
-/// independent: between loading and unloading the energy has a maximum, but its slope is zero on neither side. The rows at `jumps`, some
-/// of the corners, belong to the interval before them alone.
+/// independent: between loading and unloading the energy has a maximum, but its slope is zero on neither side. `jumps`: without the values
+/// of rows at corners that belong to another interval (Jump).
 std::vector<EndSlopes> slopes_by_stage(std::span<const double> s, std::span<const double> q,
-                                       std::span<const std::size_t> corners, std::span<const std::size_t> jumps) {
+                                       std::span<const std::size_t> corners, std::span<const Jump> jumps) {
     std::vector<EndSlopes> ends;
     std::size_t first = 0;
     const auto add_until = [&](std::size_t last) {
-        const bool skips = std::ranges::binary_search(jumps, first) && last > first;
-        if (skips) ++first;
-        const std::vector<double> slopes =
-            monotone_slopes(s.subspan(first, last - first + 1), q.subspan(first, last - first + 1));
-        if (skips) ends.push_back({slopes.front(), slopes.front()});
+        const bool skips_first = last > first && jumps[first] == Jump::at_start;
+        const bool skips_last = last > first && jumps[last - 1] == Jump::at_end;
+        const std::size_t from = first + (skips_first ? 1 : 0), count = last - from + (skips_last ? 0 : 1);
+        const std::vector<double> slopes = monotone_slopes(s.subspan(from, count), q.subspan(from, count));
+        if (skips_first) ends.push_back({slopes.front(), slopes.front()});
         for (std::size_t i = 1; i < slopes.size(); ++i) ends.push_back({slopes[i - 1], slopes[i]});
+        if (skips_last) ends.push_back({slopes.back(), slopes.back()});
         first = last;
     };
     for (const std::size_t corner : corners) add_until(corner);
@@ -211,7 +215,8 @@ Path::Path(const Curve& curve) : curve_(&curve) {
     const Column* time = curve.find(Source::time);
     std::vector<Speeds> speeds;
     std::vector<double> chords{0};  // cumulative
-    std::vector<std::size_t> corners, stage_starts;
+    std::vector<std::size_t> corners;
+    std::vector<Jump> jumps;  // by interval
     rows_.push_back(0);
     s_.push_back(0);
     for (std::size_t row = 1; row < curve.row_count(); ++row) {
@@ -223,19 +228,22 @@ Path::Path(const Curve& curve) : curve_(&curve) {
             time != nullptr ? speeds_in_time(metric, *time, before, row, known) : speeds_of(metric, before, row, known);
         if (!(next.start + next.end > 0)) continue;
         if (enters || std::ranges::binary_search(curve.kinks, before)) corners.push_back(rows_.size() - 1);
-        if (enters) stage_starts.push_back(rows_.size() - 1);
+        // With a single row before a kink, the value at the kink is better than none.
+        const bool follows = !speeds.empty() && (corners.empty() || corners.back() + 1 != rows_.size());
+        const bool reaches = is_kink && follows && row + 1 < curve.row_count();
+        jumps.push_back(enters ? Jump::at_start : reaches ? Jump::at_end : Jump::none);
         rows_.push_back(row);
         speeds.push_back(next);
         s_.push_back(s_.back() +
                      (time != nullptr ? time->values[row] - time->values[before] : (next.start + next.end) / 2));
         chords.push_back(chords.back() + metric.distance(before, row));
     }
+    const std::vector<Jump> nowhere(speeds.size(), Jump::none);
     for (const Column& column : curve.columns) {
         std::vector<double> q;
         for (const std::size_t row : rows_) q.push_back(column.values[row]);
         const std::vector<double>& parameters = has_slopes(column) || time != nullptr ? s_ : chords;
-        const std::span<const std::size_t> jumps = column.jumps ? std::span(stage_starts) : std::span<std::size_t>{};
-        const std::vector<EndSlopes> by_rows = slopes_by_stage(parameters, q, corners, jumps);
+        const std::vector<EndSlopes> by_rows = slopes_by_stage(parameters, q, corners, column.jumps ? jumps : nowhere);
         const auto slope = [&](std::size_t i, double speed, double otherwise) {
             const double norm = has_slopes(column) ? metric.norm(rows_[i]) : 0;
             return norm > 0 ? column.slopes[rows_[i]] / norm * speed : otherwise;
@@ -252,12 +260,10 @@ Path::Path(const Curve& curve) : curve_(&curve) {
             if (known == second) start = 2 * difference - end;
             const bool turns = start * difference < 0 || end * difference < 0;
             if (known == none || (known != both && time != nullptr && turns)) start = end = difference;
-            double from = q[i];
-            if (std::ranges::binary_search(jumps, i)) {
-                start = end = by_rows[i].end * ds;
-                from = q[i + 1] - end;
-            }
-            pieces.push_back({from, q[i + 1], start, end});
+            const Jump jump = column.jumps ? jumps[i] : Jump::none;
+            if (jump != Jump::none) start = end = by_rows[i].end * ds;
+            pieces.push_back({jump == Jump::at_start ? q[i + 1] - end : q[i],
+                              jump == Jump::at_end ? q[i] + start : q[i + 1], start, end});
         }
     }
     for (std::size_t i = 0; i < speeds.size(); ++i)
@@ -274,7 +280,8 @@ double Path::in_interval(std::size_t column, std::size_t interval, double t) con
         case Role::stage: return t <= at_a_row ? left : right;
         case Role::flag: return t <= 0 ? left : t >= 1 ? right : std::min(left, right);
         case Role::dependent:
-            if (curve_->columns[column].jumps && t <= at_a_row) return left;
+            if (curve_->columns[column].jumps && (t <= at_a_row || t >= 1 - at_a_row))
+                return t <= at_a_row ? left : right;
             if (has_slopes(curve_->columns[column])) break;
             return pieces_[column][interval](std::clamp(progress_[interval](t), 0.0, 1.0));
         case Role::coordinate: break;

@@ -17,8 +17,8 @@
 /// 60 degrees of the chord, or if a coordinate would not be monotonic in the interval.
 /// At a kink (Curve::kinks) the direction recorded is that after it: the interval before is the arc given by u0 alone, in the same way. In a
 /// motion only the loads bend (Column::bends); displacements keep their velocity.
-/// A column that jumps there (Column::jumps) is, in this interval, the line through its value and slope at the row after it, constant if
-/// the stage has no other row.
+/// A column that jumps (Column::jumps) is, in the first interval of a stage, the line through its value and slope at the row after it, constant
+/// if the stage has no other row; in an interval that ends at a kink, and is not the first of its piece, that at the row before it.
 /// With a time the parameter is the time, and the slopes are time derivatives: the cubic through two rows interpolates values and
 /// velocities. In the interval after a change of stage the velocity at its start is unknown: there it is the parabola with the velocity at
 /// its end, or a straight line where that would turn. Tested by post/interpolate_test and post/dependent_columns_test.

@@ -318,6 +318,27 @@ TEST(Path, ExtrapolatesColumnsThatJumpIntoTheFirstIntervalOfAStage) {
     EXPECT_NEAR(slope_at(4, 2.5), 5, 1e-9) << "the only row of its stage";
 }
 
+/// The row at a first contact has the derivatives after it.
+TEST(Path, ExtrapolatesColumnsThatJumpIntoTheIntervalBeforeAKink) {
+    Curve curve;
+    const auto add = [&](const char* name, Role role, std::vector<double> values) {
+        Column& column = curve.columns.emplace_back();
+        column.name = column.quantity = name;
+        column.role = role;
+        column.values = std::move(values);
+    };
+    add("x", Role::coordinate, {0, 1, 2, 3, 4});
+    add("slope", Role::dependent, {1, 2, 30, 31, 32});
+    curve.columns.back().jumps = true;
+    curve.kinks = {2};
+    const Path path(curve);
+    const auto slope_at = [&](double x) { return path.at(x / 4 * path.length())[1]; };
+    for (const double x : {0.5, 1.0, 1.5, 1.9}) EXPECT_NEAR(slope_at(x), 1 + x, 1e-9) << x;
+    for (const double x : {2.0, 2.5, 3.5, 4.0}) EXPECT_NEAR(slope_at(x), 28 + x, 1e-9) << x;
+    curve.kinks = {1};
+    EXPECT_NEAR(Path(curve).at(0.5 / 4 * path.length())[1], 1.5, 1e-9) << "a single row before the kink";
+}
+
 TEST(Path, OmitsAStageInWhichNothingChanges) {
     auto steps = two_stages(4);
     steps.insert(steps.begin() + 5, steps[4]);
