@@ -96,7 +96,7 @@ constexpr Column<double> number_columns[]{
     {"stored_energy", "J", "strain energy of the whole actuator", resting<&Energies::stored_J>, create_energies},
     {"load_work", "J", "work of the loads since the start of the path", resting<&Energies::load_work_J>,
      create_energies},
-    {"dissipated_energy", "J", "dissipated by snaps in contact and by inelastic materials since the start of the path",
+    {"dissipated_energy", "J", "dissipated by snaps and by inelastic materials since the start of the path",
      in_energies<&Energies::dissipated_J>, create_in_energies<&Energies::dissipated_J>},
     {"friction_work", "J", "dissipated by friction since the start of the path", in_optional<&Step::friction_J>,
      create<&Step::friction_J>},

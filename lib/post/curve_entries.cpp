@@ -50,9 +50,9 @@ Column error_column(const Column& of) {
     Column column = of;
     column.quantity += "_error";
     column.name = column.quantity + of.name.substr(of.quantity.size());
-    column.meaning = of.source == Source::load
-                         ? "half width of the mesh error of " + of.quantity + ", at equal first output"
-                         : "half width of the mesh error of " + of.quantity + ", at equal load";
+    column.meaning = of.source == Source::load ? "half width of the mesh error of " + of.quantity +
+                                                     ", at equal first output that moves with it"
+                                               : "half width of the mesh error of " + of.quantity + ", at equal load";
     column.role = Role::dependent;
     column.source = Source::other;
     return column;
@@ -199,7 +199,7 @@ void add_on_demand(std::vector<Entry>& entries, const model::Case& model) {
         return s.energies ? Value(s.energies->load_work_J) : std::nullopt;
     }).slope_SI = tangent;
     add("dissipated_energy", millijoule,
-        "energy dissipated by inelastic rubber and by snaps in contact since the start of the path",
+        "energy dissipated by inelastic rubber and by snaps since the start of the path",
         [](const Step& s) { return s.energies ? s.energies->dissipated_J : std::nullopt; });
     add("friction_work", millijoule, "energy dissipated by friction since the start of the path",
         [](const Step& s) { return s.friction_J; });

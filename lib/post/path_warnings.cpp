@@ -102,7 +102,7 @@ void check_goals(const model::Case& solved, const PathSummary& path, Warnings& w
 }
 
 void check_crushed(const model::Case& solved, const PathSummary& path, Warnings& warnings) {
-    constexpr double hardly_compressible = 50;
+    constexpr double hardly_compressible = 10;
     const auto keeps_volume = [](const model::Material& material) {
         return !material.bulk_modulus_Pa ||
                *material.bulk_modulus_Pa >
@@ -123,7 +123,7 @@ void check_snaps(const PathSummary& path, Warnings& warnings) {
     if (path.is_inelastic || !energies ||
         !(energies->dissipated_J.value_or(0) > noticeable * std::abs(energies->load_work_J)))
         return;
-    warnings.push_back("where edges slip or creases close, contact snaps and sets energy free, " +
+    warnings.push_back("where edges slip, or creases close or form, small parts snap and set energy free, " +
                        core::rounded_text(100 * *energies->dissipated_J / std::abs(energies->load_work_J), 2) +
                        " % of the work of the loads (dissipated_energy): compare another mesh.size");
 }
@@ -139,6 +139,7 @@ void check_maximum(const model::Case& solved, const PathSummary& path, Warnings&
     warnings.push_back(
         "loads." + solved.loads.front().name + ": " + core::quantity_text(sense * max_Pa, core::Dimension::pressure) +
         " is the limit pressure on the way to " + core::quantity_text(asked_Pa, core::Dimension::pressure) +
+        (path.first_crushed_row ? ", perhaps only on this mesh (min_J)" : "") +
         ", and the path has ended past that limit point; request less than the limit pressure");
 }
 

@@ -20,7 +20,7 @@ using Rows = std::vector<RowState>;
 /// Below this fraction of the largest load, errors are relative to this fraction and not to the load itself.
 constexpr double small_load = 0.1;
 
-/// The first measure stands still where it changes by less than this fraction of its range while the load changes by its whole range.
+/// A measure stands still where it changes by less than this fraction of its range while the load changes by its whole range.
 constexpr double standstill = 0.05;
 
 /// Fraction of the cells from which on a mesh counts as one with a single cell through its walls.
@@ -133,28 +133,6 @@ void set_bars_at_held_loads(Rows& reported, const NeighbourLevels& around) {
         if (model::holds_load(row.step)) row.step.pressure_error_Pa = 0.0;  // it is prescribed
 }
 
-/// Stores the bars in the reported rows; returns those of the first measure.
-std::vector<ErrorBar> set_bars(Rows& reported, const NeighbourLevels& around) {
-    if (reported.front().step.time_s) return set_bars_in_time(reported, around);
-    std::vector<ErrorBar> first;
-    const std::size_t outputs = reported.front().step.outputs.size();
-    for (RowState& row : reported) row.step.output_errors.clear();
-    for (std::size_t k = 0; k < std::max<std::size_t>(outputs, 1); ++k) {
-        const Measure measure{outputs > 0 ? k : Measure::volume};
-        const auto bars = bars_of(
-            reported, around, [&](const model::Step& step, std::size_t) { return measure.point(step); },
-            [&](const model::Step& step) { return measure.tangent(step); });
-        for (std::size_t i = 0; i < bars.size(); ++i) {
-            if (k == 0) reported[i].step.pressure_error_Pa = bars[i].load;
-            if (outputs > 0) reported[i].step.output_errors.push_back(bars[i].measure);
-        }
-        if (k == 0) first = bars;
-    }
-    if (std::ranges::any_of(reported, [](const RowState& row) { return model::holds_load(row.step); }))
-        set_bars_at_held_loads(reported, around);
-    return first;
-}
-
 /// Largest minus smallest value of a quantity over the rows.
 template <class Value>
 double range_of(const Rows& rows, Value&& value_of) {
@@ -166,36 +144,75 @@ double range_of(const Rows& rows, Value&& value_of) {
     return largest - least;
 }
 
-/// Of the load, relative to it. Where the first measure hardly changes with the load, as where a wall stops the actuator, where the load is
-/// held, and on a path in time, where the load may be prescribed: of all outputs.
+/// The quantities at whose equal values loads are compared: the outputs in their order, then the volume.
+class Measures {
+public:
+    explicit Measures(const Rows& rows) {
+        const model::Step& first = rows.front().step;
+        for (std::size_t k = 0; k < first.outputs.size(); ++k) measures_.push_back({k});
+        if (first.volume_m3) measures_.push_back({Measure::volume});
+        load_range_ = range_of(rows, [](const model::Step& step) { return step.pressure_Pa; });
+        for (const Measure& measure : measures_)
+            ranges_.push_back(range_of(rows, [&](const model::Step& step) { return measure.point(step).measure; }));
+    }
+    [[nodiscard]] const std::vector<Measure>& all() const { return measures_; }
+    /// The number of the first one that moves with the load at a row: not before an obstacle is reached, where a wall stops the actuator, or
+    /// where the load is held.
+    [[nodiscard]] std::optional<std::size_t> moving(const model::Step& step) const {
+        if (model::holds_load(step)) return std::nullopt;
+        for (std::size_t k = 0; k < measures_.size(); ++k) {
+            const CurvePoint tangent = measures_[k].tangent(step);
+            if (!(std::abs(tangent.measure) * load_range_ <= standstill * std::abs(tangent.load) * ranges_[k]))
+                return k;
+        }
+        return std::nullopt;
+    }
+
+private:
+    std::vector<Measure> measures_;
+    double load_range_;
+    std::vector<double> ranges_;
+};
+
+/// Stores the bars in the reported rows; returns those of the first measure.
+std::vector<ErrorBar> set_bars(Rows& reported, const NeighbourLevels& around) {
+    if (reported.front().step.time_s) return set_bars_in_time(reported, around);
+    const Measures measures(reported);
+    std::vector<std::vector<ErrorBar>> bars;
+    for (const Measure& measure : measures.all())
+        bars.push_back(bars_of(
+            reported, around, [&](const model::Step& step, std::size_t) { return measure.point(step); },
+            [&](const model::Step& step) { return measure.tangent(step); }));
+    for (std::size_t i = 0; i < reported.size(); ++i) {
+        model::Step& step = reported[i].step;
+        const auto moving = measures.moving(step);
+        step.pressure_error_Pa = moving ? bars[*moving][i].load : 0.0;
+        step.output_errors.clear();
+        for (std::size_t k = 0; k < step.outputs.size(); ++k) step.output_errors.push_back(bars[k][i].measure);
+    }
+    if (std::ranges::any_of(reported, [](const RowState& row) { return model::holds_load(row.step); }))
+        set_bars_at_held_loads(reported, around);
+    return bars.front();
+}
+
+/// Of the load, relative to it. Where no measure moves with the load, and on a path in time, where the load may be prescribed: of all outputs.
 double max_relative_bar(const Rows& rows) {
     const bool in_time = rows.front().step.time_s.has_value();
-    const std::size_t outputs = rows.front().step.outputs.size();
-    const Measure measure{outputs > 0 ? 0 : Measure::volume};  // of the load's bars
-    const double load_range = range_of(rows, [](const model::Step& step) { return step.pressure_Pa; });
-    const double range = range_of(rows, [&](const model::Step& step) { return measure.point(step).measure; });
-    const auto stands_still = [&](const model::Step& step) {
-        if (outputs == 0) return false;  // nothing else could be bounded
-        if (model::holds_load(step)) return true;
-        const CurvePoint tangent = measure.tangent(step);
-        return std::abs(tangent.measure) * load_range <= standstill * std::abs(tangent.load) * range;
-    };
+    const Measures measures(rows);
     double worst = 0;
-    const auto consider = [&](auto&& value_of, auto&& bar_of, auto&& counts) {
+    const auto consider = [&](auto&& value_of, auto&& bar_of, bool where_moving) {
         double largest = 0;
         for (const RowState& row : rows) largest = std::max(largest, std::abs(value_of(row.step)));
         for (const RowState& row : rows)
-            if (largest > 0.0 && counts(row.step))
+            if (largest > 0.0 && (in_time || measures.moving(row.step).has_value() == where_moving))
                 worst =
                     std::max(worst, bar_of(row.step) / std::max(std::abs(value_of(row.step)), small_load * largest));
     };
     consider([](const model::Step& step) { return step.pressure_Pa; },
-             [](const model::Step& step) { return step.pressure_error_Pa.value_or(0.0); },
-             [&](const model::Step& step) { return in_time || !stands_still(step); });
-    for (std::size_t k = 0; k < outputs; ++k)
+             [](const model::Step& step) { return step.pressure_error_Pa.value_or(0.0); }, true);
+    for (std::size_t k = 0; k < rows.front().step.outputs.size(); ++k)
         consider([k](const model::Step& step) { return step.outputs[k]; },
-                 [k](const model::Step& step) { return step.output_errors[k]; },
-                 [&](const model::Step& step) { return in_time || stands_still(step); });
+                 [k](const model::Step& step) { return step.output_errors[k]; }, false);
     return worst;
 }
 

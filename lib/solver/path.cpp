@@ -150,6 +150,8 @@ void PathFollower::step() {
     const Goal* goal = aim.crossing && !contact ? aim.crossing->goal : nullptr;
     if (pass_goals(point, goal)) touch.reset();
     if (!point) return recover();
+    if (auto found = snap_over(*point, corrector_, path_, listeners_))
+        return go_on_after_snap(std::move(*found), "a small part snaps to ");
     Events events = events_before(*point, corrector_, path_, listeners_);
     if (touch)
         touch->point = std::move(*point);
@@ -214,6 +216,11 @@ void PathFollower::go_from(PathPoint point) {
     let_contact_rest(system_, *path_.last, *path_.last);
     system_.accept_step(path_.last->state.x);
     recorder_.accept_step();
+}
+
+void PathFollower::go_on_after_snap(Snap found, const std::string& how) {
+    const std::string lost = ", energy set free " + short_text(found.point.lost_J) + " J";
+    go_on_from(std::move(found.point), found.goal, how, lost);
 }
 
 bool PathFollower::pass_events(Events events) {
@@ -301,10 +308,8 @@ void PathFollower::recover() {
                              (failures >= failures_before_kink || too_short);
     const bool may_snap = may_be_kink && path_.last->touches && (failures == failures_before_kink || too_short);
     const double first_attempt = failed / std::pow(cut_of_failed_step, failures - 1);
-    if (auto found = may_snap ? snap(corrector_, path_, listeners_, first_attempt) : std::nullopt) {
-        const std::string lost = ", energy set free " + short_text(found->point.lost_J) + " J";
-        return go_on_from(std::move(found->point), found->goal, "contact snaps to ", lost);
-    }
+    if (auto found = may_snap ? snap(corrector_, path_, listeners_, first_attempt) : std::nullopt)
+        return go_on_after_snap(std::move(*found), "contact snaps to ");
     if (auto point = may_be_kink ? pass_kink(corrector_, path_, failed) : std::nullopt;
         point && !breaks_energy_balance(corrector_, path_, *point) && !find_crossing(corrector_, listeners_, *point)) {
         const Goal* goal = nullptr;

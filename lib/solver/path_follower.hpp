@@ -3,7 +3,7 @@
 ///   stages.hpp         loads, goals and first step of each stage
 ///   stepping.hpp       aim of a step, check of the state found there, size of the next step
 ///   corrector.hpp      Newton's method and the path's tangent; kink.hpp where fibres become taut or slack,
-///                      snap.hpp where contact snaps
+///                      snap.hpp where contact or a small part snaps
 ///   events.hpp         contact, limit points, bifurcations between two states
 ///   control.hpp        the controlled quantity and its change
 ///   recorder.hpp       rows (with work.hpp: the work of the loads), checkpoints
@@ -17,6 +17,7 @@ namespace soft::solver {
 
 struct Aim;
 struct ControlChange;
+struct Snap;
 
 class PathFollower {
 public:
@@ -33,6 +34,7 @@ private:
     /// Appends the events before the next state; true if the path ends or turns at one.
     [[nodiscard]] bool pass_events(Events events);
     [[nodiscard]] bool take_branch(Event& bifurcation);
+    void go_on_after_snap(Snap found, const std::string& how);
     /// The state at the aim, or where contact begins before it; this place is found without contact, and then the aim is there.
     [[nodiscard]] bool pass_goals(std::optional<PathPoint>& point, const Goal*& goal);
     [[nodiscard]] std::optional<PathPoint> solve_step(Aim& aim, std::optional<Event>& touch);

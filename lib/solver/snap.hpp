@@ -1,12 +1,12 @@
 #pragma once
-/// Snaps in contact. Where an edge slides off another, or a crease closes, a small part of the body loses its stability although the rest
-/// hardly moves: the path turns back in a sharp fold, along which Newton's method may not converge. Under a load, or at a volume, the body
-/// jumps to a stable state nearby. Pseudo-transient continuation finds it: the states x_n of the overdamped motion, by the implicit Euler
-/// method,
+/// Local snaps. Where an edge slides off another, or a crease closes or forms next to a clamped edge, a small part of the body loses its
+/// stability although the rest hardly moves: the path turns back in a sharp fold, along which Newton's method may not converge, or which
+/// leads far back. Under a load, or at a volume, the body jumps to a stable state nearby. Pseudo-transient continuation finds it: the states
+/// x_n of the overdamped motion, by the implicit Euler method,
 ///   R(x_n) + c_n k (u_n - u_(n-1)) = 0,
-/// from the last row on, at the target of the failed step, with a drag c_n that falls until it vanishes.
+/// from the last row on, at the target of the failed step or beyond the fold, with a drag c_n that falls until it vanishes.
 /// Source: Coffey, Kelley and Keyes, SIAM J. Sci. Comput. 25 (2003) 553. Internal to the module. Tested by pipeline
-/// ContactThatSnapsKeepsItsEnergyBalance.
+/// ContactThatSnapsKeepsItsEnergyBalance, Plate.PassesCreasesAtItsEdge.
 #include "solver/events.hpp"
 
 namespace soft::solver {
@@ -20,5 +20,10 @@ struct Snap {
 /// walls cross there; the memory of the corrector is then unchanged. `step`: the first one that failed. A goal on the way is the target
 /// instead.
 [[nodiscard]] std::optional<Snap> snap(Corrector& corrector, PathState& path, const Listeners& listeners, double step);
+
+/// The same beyond a sharp fold between the last row and `beyond`, which an arc length has passed; nullopt also where the path does not turn
+/// back there, or where the load, the volumes or the displacements of the outputs would jump.
+[[nodiscard]] std::optional<Snap> snap_over(const PathPoint& beyond, Corrector& corrector, PathState& path,
+                                            const Listeners& listeners);
 
 }  // namespace soft::solver
