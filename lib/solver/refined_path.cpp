@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solver/goals.hpp"
+#include "solver/snap.hpp"
 
 namespace soft::solver {
 
@@ -140,7 +141,13 @@ std::optional<State> RefinedPath::equilibrium(const RowState& coarse, RowPositio
 std::optional<State> RefinedPath::at_equal_load(const RowState& coarse) {
     State state = carry_over(coarse);
     nearest_ = {ConstraintKind::load_factor};
-    if (!corrector_.correct(nearest_, coarse.step.load_factor, state)) return std::nullopt;
+    if (State solved = copy_of(state); corrector_.correct(nearest_, coarse.step.load_factor, solved)) {
+        state = std::move(solved);
+    } else {  // a crease of another size
+        auto settled = settle(corrector_, state, nearest_, coarse.step.load_factor);
+        if (!settled) return std::nullopt;
+        state = std::move(*settled);
+    }
     linalg::Vector difference = copy_of(state.x);
     SOFT_PETSC(VecAXPY(difference, -1.0, origin_));
     if (linalg::norm(difference) > 2.0 * linalg::norm(origin_)) return std::nullopt;  // another branch

@@ -36,9 +36,9 @@ int held_modes(const PathState& path, const Constraint& held) {
     return held.kind != ConstraintKind::load_factor && path.load_falls(*path.last) ? 1 : 0;
 }
 
-/// The equilibrium at which the overdamped motion ends.
-std::optional<State> settle(Corrector& corrector, const PathState& path, const Constraint& held, double target) {
-    const Vec start = path.last->state.x;
+/// The equilibrium at which the overdamped motion from a state ends; the drag is that of the last correction.
+std::optional<State> settle_with_drag(Corrector& corrector, const State& from, const Constraint& held, double target) {
+    const Vec start = from.x;
     const linalg::Vector displacements = fem::displacement_mask(corrector.system());
     const auto length = [&](Vec x) {
         const linalg::Vector part = copy_of(x);
@@ -51,7 +51,7 @@ std::optional<State> settle(Corrector& corrector, const PathState& path, const C
         return length(change);
     };
     const double size = length(start);
-    State state = copy_of(path.last->state);
+    State state = copy_of(from);
     double drag = first_drag;
     for (int i = 0; i < most_corrections; ++i) {
         State next = copy_of(state);
@@ -77,8 +77,7 @@ std::optional<PathPoint> snap_to(Corrector& corrector, const PathState& path, Co
     if (!last.tangent.unstable_modes || *last.tangent.unstable_modes > modes || !is_on_the_way) return std::nullopt;
     const double change = target - controlled_value(held, last, 0.0);
     held.scale = std::abs(change);
-    std::optional<State> state = settle(corrector, path, held, target);
-    corrector.newton().set_drag(0.0, nullptr);
+    std::optional<State> state = settle(corrector, last.state, held, target);
     std::optional<PathTangent> tangent;
     if (state) tangent = corrector.newton().tangent(bind(path.control, last), *state);
     if (!tangent || !tangent->unstable_modes || *tangent->unstable_modes > modes) return std::nullopt;
@@ -150,6 +149,12 @@ std::optional<Snap> snap_towards(Corrector& corrector, PathState& path, const Li
 }
 
 }  // namespace
+
+std::optional<State> settle(Corrector& corrector, const State& from, const Constraint& held, double target) {
+    std::optional<State> state = settle_with_drag(corrector, from, held, target);
+    corrector.newton().set_drag(0.0, nullptr);
+    return state;
+}
 
 std::optional<Snap> snap(Corrector& corrector, PathState& path, const Listeners& listeners, double step) {
     const Constraint held = held_constraint(corrector, path);

@@ -11,6 +11,10 @@
 
 namespace soft::solver {
 
+/// The equilibrium nearby at which the overdamped motion from a state ends, with the quantity held at `target`.
+[[nodiscard]] std::optional<State> settle(Corrector& corrector, const State& from, const Constraint& held,
+                                          double target);
+
 struct Snap {
     PathPoint point;
     const Goal* goal = nullptr;  ///< reached
