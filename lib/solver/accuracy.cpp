@@ -1,6 +1,7 @@
 #include "solver/accuracy.hpp"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -153,22 +154,35 @@ public:
         if (first.volume_m3) measures_.push_back({Measure::volume});
         load_range_ = range_of(rows, [](const model::Step& step) { return step.pressure_Pa; });
         for (const Measure& measure : measures_)
-            ranges_.push_back(range_of(rows, [&](const model::Step& step) { return measure.point(step).measure; }));
+            ranges_.push_back(std::max(
+                range_of(rows, [&](const model::Step& step) { return measure.point(step).measure; }), DBL_MIN));
     }
     [[nodiscard]] const std::vector<Measure>& all() const { return measures_; }
-    /// The number of the first one that moves with the load at a row: not before an obstacle is reached, where a wall stops the actuator, or
+    /// The number of the first one that does not stand still at a row, or of that which moves most; none before an obstacle is reached, or
     /// where the load is held.
     [[nodiscard]] std::optional<std::size_t> moving(const model::Step& step) const {
-        if (model::holds_load(step)) return std::nullopt;
+        std::size_t most = 0;
         for (std::size_t k = 0; k < measures_.size(); ++k) {
-            const CurvePoint tangent = measures_[k].tangent(step);
-            if (!(std::abs(tangent.measure) * load_range_ <= standstill * std::abs(tangent.load) * ranges_[k]))
-                return k;
+            if (rate(step, k) > standstill) return k;
+            if (rate(step, k) > rate(step, most)) most = k;
         }
-        return std::nullopt;
+        return rate(step, most) > 0 ? std::optional{most} : std::nullopt;
+    }
+    /// Whether all outputs stand still, so that their own bars count.
+    [[nodiscard]] bool stand_still(const model::Step& step) const {
+        const auto most = moving(step);
+        return !step.outputs.empty() && (!most || rate(step, *most) <= standstill);
     }
 
 private:
+    /// Change over that of the load, relative to their ranges; 0 where the load is held, infinite where the tangent is unknown.
+    [[nodiscard]] double rate(const model::Step& step, std::size_t k) const {
+        const CurvePoint tangent = measures_[k].tangent(step);
+        if (model::holds_load(step)) return 0;
+        if (tangent.load == 0) return HUGE_VAL;
+        return std::abs(tangent.measure / tangent.load) * load_range_ / ranges_[k];
+    }
+
     std::vector<Measure> measures_;
     double load_range_;
     std::vector<double> ranges_;
@@ -204,7 +218,7 @@ double max_relative_bar(const Rows& rows) {
         double largest = 0;
         for (const RowState& row : rows) largest = std::max(largest, std::abs(value_of(row.step)));
         for (const RowState& row : rows)
-            if (largest > 0.0 && (in_time || measures.moving(row.step).has_value() == where_moving))
+            if (largest > 0.0 && (in_time || measures.stand_still(row.step) != where_moving))
                 worst =
                     std::max(worst, bar_of(row.step) / std::max(std::abs(value_of(row.step)), small_load * largest));
     };
