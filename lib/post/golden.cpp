@@ -91,8 +91,13 @@ PathPosition locate(const Path& path, std::size_t row_count, double s) {
 double interpolation_allowance(const Column& column, const PathPosition& position, bool enters_stage, bool ends_at_kink,
                                double found, double golden) {
     switch (column.role) {
-        case Role::coordinate:
         case Role::counter: return 0;
+        case Role::coordinate: {
+            if (column.source != Source::output || !column.slopes.empty()) return 0;
+            // A contact area: its slope may be anything from zero to twice that of the chord.
+            const double chord = column.values[position.right] - column.values[position.left];
+            return std::abs(chord) * position.t * (1 - position.t);
+        }
         case Role::dependent: {
             const std::size_t before = column.jumps && enters_stage ? position.right : position.left,
                               after = column.jumps && ends_at_kink ? position.left : position.right;
