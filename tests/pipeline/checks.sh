@@ -88,3 +88,12 @@ runs 'mesh-gen -q holds.yaml -o holds.h5 && solve -q holds.h5 | postprocess -q -
 runs 'solve -q holds.h5 --set solver.first_step=0.005 | postprocess --check holds.csv -o other-steps.csv'
 runs 'solve -q holds.h5 --set solver.max_step=0.2 | postprocess --check holds.csv -o other-steps.csv'
 refuses 1 'postprocess: holds.csv:*' 'solve -q holds.h5 --set material.mu=0.165MPa | postprocess -q --check holds.csv -o other-mu.csv'
+
+# A contact area, which has no derivative along the path: other steps agree, a wider plate does not
+membrane='mesh-gen -q designs/membrane-at-wall.yaml --set mesh.size=1mm'
+runs "$membrane -o membrane.h5 && solve -q membrane.h5 | postprocess -q -o membrane.csv"
+for accuracy in 2e-4 1e-3; do
+    runs "solve -q membrane.h5 --set solver.step_accuracy=$accuracy | postprocess -q --check membrane.csv -o other-steps.csv"
+done
+cut -d, -f2,4 membrane.csv >areas.csv
+refuses 1 'postprocess: areas.csv:*touching_mm2*' "$membrane --set geometry.radius=20.1mm | solve -q | postprocess -q --check areas.csv -o wider.csv"
