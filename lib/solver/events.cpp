@@ -138,9 +138,14 @@ std::optional<Event> first_contact_before(const PathPoint& to, Corrector& correc
     if (!to.touches || path.last->touches) return std::nullopt;
     auto touching = first_in_contact(corrector, path, to, solved);
     if (!touching && solved != WithContact::no) touching = bisect_first_contact(corrector, path, to);
-    const contact::Summary touch = contact_at(corrector, path, touching ? touching->state : to.state);
-    if (!touching) return std::nullopt;
-    return Event{Event::Kind::first_contact, std::move(*touching), 0, {}, touch.touched, *touch.location};
+    if (touching) return first_contact_at(std::move(*touching), corrector, path);
+    contact_at(corrector, path, to.state);  // as before the search
+    return std::nullopt;
+}
+
+Event first_contact_at(PathPoint point, Corrector& corrector, const PathState& path) {
+    const contact::Summary touch = contact_at(corrector, path, point.state);
+    return {Event::Kind::first_contact, std::move(point), 0, {}, touch.touched, *touch.location};
 }
 
 void Events::add(Event event, double direction) {

@@ -45,6 +45,9 @@ struct Events {
 [[nodiscard]] std::optional<Event> first_contact_before(const PathPoint& to, Corrector& corrector,
                                                         const PathState& path, WithContact solved);
 
+/// A point that touches, as the event of a first contact.
+[[nodiscard]] Event first_contact_at(PathPoint point, Corrector& corrector, const PathState& path);
+
 /// The other events between the last row and `to`.
 [[nodiscard]] Events events_before(const PathPoint& to, Corrector& corrector, const PathState& path,
                                    const Listeners& listeners);

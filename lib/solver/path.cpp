@@ -150,8 +150,9 @@ void PathFollower::step() {
     const Goal* goal = aim.crossing && !contact ? aim.crossing->goal : nullptr;
     if (pass_goals(point, goal)) touch.reset();
     if (!point) return recover();
-    if (auto found = snap_over(*point, corrector_, path_, listeners_))
-        return go_on_after_snap(std::move(*found), "a small part snaps to ");
+    if (!touch && goal == nullptr && point->touches == path_.last->touches)
+        if (auto found = snap_over(*point, corrector_, path_, listeners_))
+            return go_on_after_snap(std::move(*found), "a small part snaps to ");
     Events events = events_before(*point, corrector_, path_, listeners_);
     if (touch)
         touch->point = std::move(*point);
@@ -218,7 +219,18 @@ void PathFollower::go_from(PathPoint point) {
     recorder_.accept_step();
 }
 
+void PathFollower::add_first_contact(const Event& event) {
+    const auto& contact = path_.end.first_contacts.emplace_back(
+        model::FirstContact{location_of(event.point, path_, system_), event.obstacle, event.location_m});
+    listeners_.report("first contact at " + describe(event.point) + ": " + model::contact_text(input_, contact));
+}
+
 void PathFollower::go_on_after_snap(Snap found, const std::string& how) {
+    if (found.point.touches && !path_.last->touches) {
+        Event contact = first_contact_at(std::move(found.point), corrector_, path_);
+        add_first_contact(contact);
+        found.point = std::move(contact.point);
+    }
     const std::string lost = ", energy set free " + short_text(found.point.lost_J) + " J";
     go_on_from(std::move(found.point), found.goal, how, lost);
 }
@@ -234,12 +246,7 @@ bool PathFollower::pass_events(Events events) {
                 path_.end.bifurcations.back().mode = system_.fields().gather_displacements(*event.mode);
             }
         }
-        if (event.kind == Event::Kind::first_contact) {
-            const auto& contact =
-                path_.end.first_contacts.emplace_back(model::FirstContact{location, event.obstacle, event.location_m});
-            listeners_.report("first contact at " + describe(event.point) + ": " +
-                              model::contact_text(input_, contact));
-        }
+        if (event.kind == Event::Kind::first_contact) add_first_contact(event);
         recorder_.append(path_, event.point);
         if (event.kind == Event::Kind::first_contact) {  // the path bends here: it is not predicted from before
             go_from(std::move(event.point));

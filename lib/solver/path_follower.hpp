@@ -34,6 +34,7 @@ private:
     /// Appends the events before the next state; true if the path ends or turns at one.
     [[nodiscard]] bool pass_events(Events events);
     [[nodiscard]] bool take_branch(Event& bifurcation);
+    void add_first_contact(const Event& event);
     void go_on_after_snap(Snap found, const std::string& how);
     /// The state at the aim, or where contact begins before it; this place is found without contact, and then the aim is there.
     [[nodiscard]] bool pass_goals(std::optional<PathPoint>& point, const Goal*& goal);

@@ -133,6 +133,7 @@ std::optional<Snap> snap_towards(Corrector& corrector, PathState& path, const Li
     PathPoint& last = *path.last;
     const Corrector::Memory memory = corrector.memory();
     const Goal* goal = nullptr;
+    corrector.system().contact().set_resting(false);  // a crease may close
     auto point = snap_to(corrector, path, held, target);
     if (const auto passed = point ? first_between(path.goals, last, *point) : std::nullopt) {
         goal = passed->goal;
@@ -143,6 +144,7 @@ std::optional<Snap> snap_towards(Corrector& corrector, PathState& path, const Li
     }
     if (!point || find_crossing(corrector, listeners, *point) || !find_work_of_jump(corrector, last, *point)) {
         corrector.restore(memory);
+        let_contact_rest(corrector.system(), last, last);
         return std::nullopt;
     }
     return Snap{std::move(*point), goal};
@@ -176,7 +178,9 @@ std::optional<Snap> snap_over(const PathPoint& beyond, Corrector& corrector, Pat
         const double target = extreme + std::copysign(least_change * std::abs(from), sense);
         auto found = snap_towards(corrector, path, listeners, held, target);
         if (found && hardly_jumps(last, found->point, path, corrector.input())) return found;
-        if (found) corrector.restore(memory);
+        if (!found) continue;
+        corrector.restore(memory);
+        let_contact_rest(corrector.system(), last, last);
     }
     return std::nullopt;
 }
