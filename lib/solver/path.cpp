@@ -150,7 +150,7 @@ void PathFollower::step() {
     const Goal* goal = aim.crossing && !contact ? aim.crossing->goal : nullptr;
     if (pass_goals(point, goal)) touch.reset();
     if (!point) return recover();
-    if (!touch && goal == nullptr && point->touches == path_.last->touches)
+    if (!contact && !touch && goal == nullptr && point->touches == path_.last->touches)
         if (auto found = snap_over(*point, corrector_, path_, listeners_))
             return go_on_after_snap(std::move(*found), "a small part snaps to ");
     Events events = events_before(*point, corrector_, path_, listeners_);
@@ -349,7 +349,8 @@ void PathFollower::go_on_from(PathPoint point, const Goal* goal, const std::stri
     path_.attempts = {};
     commit(std::move(point));
     path_.before.reset();
-    if (goal != nullptr) end_stage(goal->text);
+    if (goal != nullptr) return end_stage(goal->text);
+    if (auto stop = stop_at_row(path_, system_)) finish(std::move(*stop));
 }
 
 void PathFollower::begin(State state) {

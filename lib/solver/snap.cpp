@@ -15,14 +15,36 @@ namespace {
 constexpr double first_drag = 0.1, no_drag = 1e-9, too_large_drag = 1e6;
 constexpr double after_success = 0.3, after_failure = 5.0;
 constexpr int most_corrections = 200;
-/// Of the displacements: a larger motion is no local snap.
+/// Of the displacements: the largest motion in a snap, and in one correction of it.
 constexpr double farthest = 0.1, longest = 0.01;
-/// A fold in which the slope along the path, relative to the secant from its origin, changes by one within 1 / sharp of the displacements.
+/// Curvature from which on a fold is sharp: of a quantity over the length of the path, each relative to its value.
 constexpr double sharp = 20.0;
-/// Of the value of a quantity: it hardly jumps.
-constexpr double small_jump = 0.01;
+/// At a fold: largest change of the load and of volumes, and of the displacements.
+constexpr double small_jump = 0.01, small_motion = 0.03;
 /// Of a quantity: the least change beyond a fold.
 constexpr double least_change = 1e-4;
+/// Of the mean displacement: an output below is rounding, as of a symmetric body.
+constexpr double no_displacement = 0.01;
+
+/// Lengths of displacements, without the pressures of mixed cells, which change most where a crease forms.
+class DisplacementNorm {
+public:
+    explicit DisplacementNorm(const fem::System& system) : mask_(fem::displacement_mask(system)) {}
+    [[nodiscard]] double operator()(Vec x) const {
+        const linalg::Vector part = copy_of(x);
+        SOFT_PETSC(VecPointwiseMult(part, part, mask_));
+        return linalg::norm(part);
+    }
+    [[nodiscard]] double distance(Vec a, Vec b) const {
+        const linalg::Vector change = copy_of(a);
+        linalg::add(change, -1.0, b);
+        return (*this)(change);
+    }
+    [[nodiscard]] double mean(Vec x) const { return (*this)(x) / linalg::norm(mask_); }
+
+private:
+    linalg::Vector mask_;
+};
 
 /// The constraint under which the body snaps: the control, in place of the arc length the volume where that is possible, or the load.
 Constraint held_constraint(const Corrector& corrector, const PathState& path) {
@@ -34,39 +56,6 @@ Constraint held_constraint(const Corrector& corrector, const PathState& path) {
 /// Unstable directions that the constraint holds: one where the load falls, unless the load itself is held.
 int held_modes(const PathState& path, const Constraint& held) {
     return held.kind != ConstraintKind::load_factor && path.load_falls(*path.last) ? 1 : 0;
-}
-
-/// The equilibrium at which the overdamped motion from a state ends; the drag is that of the last correction.
-std::optional<State> settle_with_drag(Corrector& corrector, const State& from, const Constraint& held, double target) {
-    const Vec start = from.x;
-    const linalg::Vector displacements = fem::displacement_mask(corrector.system());
-    const auto length = [&](Vec x) {
-        const linalg::Vector part = copy_of(x);
-        SOFT_PETSC(VecPointwiseMult(part, part, displacements));
-        return linalg::norm(part);
-    };
-    const auto distance = [&](Vec a, Vec b) {
-        const linalg::Vector change = copy_of(a);
-        linalg::add(change, -1.0, b);
-        return length(change);
-    };
-    const double size = length(start);
-    State state = copy_of(from);
-    double drag = first_drag;
-    for (int i = 0; i < most_corrections; ++i) {
-        State next = copy_of(state);
-        corrector.newton().set_drag(drag, state.x);
-        bool found = corrector.correct(held, target, next);
-        found = found && distance(next.x, state.x) <= longest * size;
-        if (found) state = std::move(next);
-        if (distance(state.x, start) > farthest * size) return std::nullopt;
-        if (found && drag == 0.0) return state;
-        if (!found && drag == 0.0) drag = no_drag;
-        drag *= found ? after_success : after_failure;
-        if (drag > too_large_drag) return std::nullopt;
-        if (drag < no_drag) drag = 0.0;
-    }
-    return std::nullopt;
 }
 
 /// `held` with the value `target`, to which it changes along the path.
@@ -87,28 +76,17 @@ std::optional<PathPoint> snap_to(Corrector& corrector, const PathState& path, Co
     return point;
 }
 
-bool is_displacement(const model::Output& output) {
-    return !model::is_reaction(output.measure) && output.obstacle.empty();
+/// As before a snap that is not taken.
+void restore(Corrector& corrector, const Corrector::Memory& memory, const PathPoint& last) {
+    corrector.restore(memory);
+    let_contact_rest(corrector.system(), last, last);
 }
 
-/// Whether a quantity turns back between two points, within a small motion.
-bool turns_sharply(const Constraint& quantity, const PathPoint& last, const PathPoint& beyond) {
-    const double size = linalg::norm(last.state.x), secant = value_of(quantity, last) / size;
-    const auto slope = [&](const PathPoint& at) { return control_slope(quantity, at) / linalg::norm(at.tangent.x); };
-    return slope(last) * slope(beyond) < 0.0 && std::abs(slope(beyond) - slope(last)) * size >
-                                                    sharp * std::abs(secant) * distance(last.state.x, beyond.state.x);
-}
-
-/// Whether the load, the volumes and the displacements of the outputs do.
-bool hardly_jumps(const PathPoint& from, const PathPoint& to, const PathState& path, const model::Case& input) {
-    const auto stays = [](double a, double b, double origin = 0.0) {
-        return std::abs(b - a) <= small_jump * std::abs(a - origin);
-    };
-    for (std::size_t i = 0; i < from.load_volumes_m3.size(); ++i)
-        if (!stays(from.load_volumes_m3[i], to.load_volumes_m3[i], path.undeformed_volumes_m3[i])) return false;
-    for (std::size_t i = 0; i < from.outputs.size(); ++i)
-        if (is_displacement(input.outputs[i]) && !stays(from.outputs[i], to.outputs[i])) return false;
-    return stays(from.leading, to.leading);
+/// Whether walls meet where they must not: pass through each other, or touch with path.contact: stop.
+bool walls_meet(Corrector& corrector, const Listeners& listeners, const PathPoint& point) {
+    if (!listeners.contact || corrector.input().path.contact == model::Contact::ignore) return false;
+    corrector.system().prescribe(point.levels);
+    return listeners.contact(point.state.x).has_value();
 }
 
 /// What may be held while the body snaps: what the user controls, or a volume or displacement, and the load.
@@ -117,22 +95,64 @@ std::vector<Constraint> held_quantities(const fem::System& system, const PathSta
     if (path.user_control) return {*path.user_control};
     if (stage_of(input, path).control != model::Control::automatic) return {};  // arc length
     std::vector<Constraint> held;
-    const Constraint softer = softer_control(system, *path.loads);
-    const auto output = std::ranges::find_if(input.outputs, is_displacement);
-    if (softer.kind != ConstraintKind::arc)
+    if (const Constraint softer = softer_control(system, *path.loads); softer.kind != ConstraintKind::arc) {
         held.push_back(softer);
-    else if (output != input.outputs.end())
-        held.push_back({ConstraintKind::output, static_cast<std::size_t>(output - input.outputs.begin())});
+    } else {
+        const double mean_m = DisplacementNorm(system).mean(path.last->state.x);
+        for (std::size_t i = 0; held.empty() && i < input.outputs.size(); ++i)
+            if (!model::is_reaction(input.outputs[i].measure) && input.outputs[i].obstacle.empty() &&
+                std::abs(path.last->outputs[i]) > no_displacement * mean_m)
+                held.push_back({ConstraintKind::output, i});
+    }
     held.push_back({ConstraintKind::load_factor});
     return held;
+}
+
+/// A quantity at a point, from its value in the undeformed body on, and its slope.
+struct Quantity {
+    double value, slope;
+};
+
+Quantity quantity_at(const Constraint& held, const PathPoint& point, const PathState& path) {
+    if (held.kind == ConstraintKind::load_factor) return {point.leading, point.leading_slope};
+    const double undeformed = held.kind == ConstraintKind::volume ? path.undeformed_volumes_m3[held.index] : 0.0;
+    return {value_of(held, point) - undeformed, control_slope(held, point)};
+}
+
+/// The value that a quantity passes where it turns back between two points, if it does so within a small motion.
+std::optional<double> beyond_fold(const Constraint& held, const PathPoint& last, const PathPoint& beyond,
+                                  const PathState& path, const fem::System& system) {
+    const Quantity from = quantity_at(held, last, path), to = quantity_at(held, beyond, path);
+    if (!(from.slope * to.slope < 0.0)) return std::nullopt;
+    const DisplacementNorm norm(system);
+    const double turn = std::abs(to.slope / norm(beyond.tangent.x) - from.slope / norm(last.tangent.x)),
+                 way = norm.distance(last.state.x, beyond.state.x), size = norm(last.state.x);
+    if (!(turn * size * size > sharp * std::abs(from.value) * way)) return std::nullopt;
+    // Twice the rise of the parabola with these slopes.
+    const double slope = control_slope(held, last), step = beyond.q - last.q;
+    const double rise = slope * step * slope / (slope - control_slope(held, beyond));
+    return value_of(held, last) + rise + std::copysign(least_change * std::abs(value_of(held, last)), rise);
+}
+
+/// Whether the body moves to another state nearby, and the load and volumes hardly change.
+bool is_local(const PathPoint& from, const PathPoint& to, const PathState& path, const fem::System& system) {
+    const DisplacementNorm norm(system);
+    const double motion = norm.distance(from.state.x, to.state.x);
+    double largest = 0.0, change = 0.0;  // of all volumes
+    for (std::size_t i = 0; i < from.load_volumes_m3.size(); ++i) {
+        largest = std::max(largest, std::abs(from.load_volumes_m3[i] - path.undeformed_volumes_m3[i]));
+        change = std::max(change, std::abs(to.load_volumes_m3[i] - from.load_volumes_m3[i]));
+    }
+    return (to.lost_J > 0.0 || !system.has_energy()) && motion <= small_motion * norm(from.state.x) &&
+           change <= small_jump * largest && std::abs(to.leading - from.leading) <= small_jump * std::abs(from.leading);
 }
 
 /// The snap to `held` at `target`, or to a goal before it.
 std::optional<Snap> snap_towards(Corrector& corrector, PathState& path, const Listeners& listeners,
                                  const Constraint& held, double target) {
     PathPoint& last = *path.last;
-    const Corrector::Memory memory = corrector.memory();
     const Goal* goal = nullptr;
+    const Corrector::Memory memory = corrector.memory();
     corrector.system().contact().set_resting(false);  // a crease may close
     auto point = snap_to(corrector, path, held, target);
     if (const auto passed = point ? first_between(path.goals, last, *point) : std::nullopt) {
@@ -142,19 +162,34 @@ std::optional<Snap> snap_towards(Corrector& corrector, PathState& path, const Li
             point = snap_to(corrector, path, goal->constraint, goal->target);
         }
     }
-    if (!point || find_crossing(corrector, listeners, *point) || !find_work_of_jump(corrector, last, *point)) {
-        corrector.restore(memory);
-        let_contact_rest(corrector.system(), last, last);
-        return std::nullopt;
-    }
-    return Snap{std::move(*point), goal};
+    if (point && !corrector.newton().passes_through_obstacle(last.state, point->state) &&
+        !walls_meet(corrector, listeners, *point) && find_work_of_jump(corrector, last, *point))
+        return Snap{std::move(*point), goal};
+    restore(corrector, memory, last);
+    return std::nullopt;
 }
 
 }  // namespace
 
 std::optional<State> settle(Corrector& corrector, const State& from, const Constraint& held, double target) {
-    std::optional<State> state = settle_with_drag(corrector, from, held, target);
+    const DisplacementNorm norm(corrector.system());
+    const double size = norm(from.x);
+    State state = copy_of(from);
+    double drag = first_drag;
+    bool settled = false;
+    for (int i = 0; i < most_corrections && !settled; ++i) {
+        State next = copy_of(state);
+        corrector.newton().set_drag(drag, state.x);
+        const bool found = corrector.correct(held, target, next) && norm.distance(next.x, state.x) <= longest * size;
+        if (found) state = std::move(next);
+        settled = found && drag == 0.0;
+        if (!found && drag == 0.0) drag = no_drag;
+        drag *= found ? after_success : after_failure;
+        if (drag > too_large_drag || norm.distance(state.x, from.x) > farthest * size) break;
+        if (drag < no_drag) drag = 0.0;
+    }
     corrector.newton().set_drag(0.0, nullptr);
+    if (!settled) return std::nullopt;
     return state;
 }
 
@@ -171,16 +206,11 @@ std::optional<Snap> snap_over(const PathPoint& beyond, Corrector& corrector, Pat
     const PathPoint& last = *path.last;
     const Corrector::Memory memory = corrector.memory();
     for (const Constraint& held : held_quantities(corrector.system(), path)) {
-        if (!turns_sharply(held, last, beyond)) continue;
-        const double from = value_of(held, last), to = value_of(held, beyond),
-                     sense = control_slope(held, last) * path.step;
-        const double extreme = sense > 0.0 ? std::max(from, to) : std::min(from, to);
-        const double target = extreme + std::copysign(least_change * std::abs(from), sense);
-        auto found = snap_towards(corrector, path, listeners, held, target);
-        if (found && hardly_jumps(last, found->point, path, corrector.input())) return found;
-        if (!found) continue;
-        corrector.restore(memory);
-        let_contact_rest(corrector.system(), last, last);
+        const auto target = beyond_fold(held, last, beyond, path, corrector.system());
+        if (!target) continue;
+        auto found = snap_towards(corrector, path, listeners, held, *target);
+        if (found && is_local(last, found->point, path, corrector.system())) return found;
+        if (found) restore(corrector, memory, last);
     }
     return std::nullopt;
 }
