@@ -52,8 +52,8 @@ struct Column {
     std::size_t index = 0;       ///< index of the output, if the source is an output
     std::vector<double> values;  ///< one per row
     bool bends = true;           ///< at Curve::kinks; false: its slope is continuous there
-    bool jumps =
-        false;  ///< where a stage begins, whose row has the value before, and at kinks, whose row has the value after
+    /// Where a stage begins, whose row has the value before, and at kinks, whose rows have the values after.
+    bool jumps = false;
     /// Derivative along the path, with an arbitrary positive scale per row that all columns share; 0 in all coordinates of a row: unknown.
     /// Dependent columns: one per row, or empty.
     std::vector<double> slopes;

@@ -1,5 +1,8 @@
 #include "post/curve_entries.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include "post/row_derivatives.hpp"
 
 namespace soft::post {
@@ -50,9 +53,10 @@ Column error_column(const Column& of) {
     Column column = of;
     column.quantity += "_error";
     column.name = column.quantity + of.name.substr(of.quantity.size());
-    column.meaning = of.source == Source::load ? "half width of the mesh error of " + of.quantity +
-                                                     ", at equal first output that moves with it"
-                                               : "half width of the mesh error of " + of.quantity + ", at equal load";
+    column.meaning = of.source == Source::load
+                         ? "half width of the mesh error of " + of.quantity +
+                               ", at an equal value of the first output (or the volume) that moves with it"
+                         : "half width of the mesh error of " + of.quantity + ", at equal load";
     column.role = Role::dependent;
     column.source = Source::other;
     return column;
@@ -289,7 +293,9 @@ void add_derivatives(std::vector<Entry>& entries, const model::Case& model, std:
                 at_rows([](const Step&, const double* D) { return D[1]; }));
         } else {
             const auto load_by = [stiffness](const Step& step, const double* D) {
-                return D[1] == 0 ? D[0] : D[0] - stiffness(step) * D[1];
+                // No load gives another value of an output that stands still.
+                if (std::isinf(stiffness(step))) return std::numeric_limits<double>::quiet_NaN();
+                return D[0] - stiffness(step) * D[1];
             };
             add(load.quantity + "_by_" + parameter.key, of_load, by,
                 "derivative of the load by a number of the design at a fixed first output", at_rows(load_by));

@@ -1,6 +1,7 @@
 #include "post/golden.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -87,23 +88,17 @@ PathPosition locate(const Path& path, std::size_t row_count, double s) {
     return position;
 }
 
-/// Additional tolerance for a column that the solver computes at the rows only.
-double interpolation_allowance(const Column& column, const PathPosition& position, bool enters_stage, bool ends_at_kink,
+/// Additional tolerance for a column that the solver computes at the rows only, with the `ends` of its interval.
+double interpolation_allowance(const Column& column, const PathPosition& position, std::array<double, 2> ends,
                                double found, double golden) {
+    const double t = position.t, chord = ends[1] - ends[0];
     switch (column.role) {
         case Role::counter: return 0;
-        case Role::coordinate: {
+        case Role::coordinate:
             if (column.source != Source::output || !column.slopes.empty()) return 0;
-            // A contact area: its slope may be anything from zero to twice that of the chord.
-            const double chord = column.values[position.right] - column.values[position.left];
-            return std::abs(chord) * position.t * (1 - position.t);
-        }
-        case Role::dependent: {
-            const std::size_t before = column.jumps && enters_stage ? position.right : position.left,
-                              after = column.jumps && ends_at_kink ? position.left : position.right;
-            const double left = column.values[before], straight = left + position.t * (column.values[after] - left);
-            return std::abs(found - straight);
-        }
+            // A contact area or pressure, a force in a motion: the slope may be anything from zero to twice that of the chord.
+            return std::abs(chord) * t * (1 - t);
+        case Role::dependent: return std::abs(found - (ends[0] + t * chord));
         case Role::flag:
         case Role::stage: break;
     }
@@ -161,15 +156,12 @@ struct RowCheck {
     void at(std::size_t row, double s) {
         const std::vector<double> found = path.at(s);
         const PathPosition position = locate(path, curve.row_count(), s);
-        const Column* stage = curve.find("stage");
-        const bool enters = stage != nullptr && stage->values[position.left] != stage->values[position.right];
-        const bool kink = std::ranges::binary_search(curve.kinks, position.right);
         for (std::size_t i = 0; i < pairs.size(); ++i) {
             const Pair& pair = pairs[i];
             if (pair.column == absent) continue;
             const double value = pair.golden[row], here = found[pair.column];
             const double allowance =
-                interpolation_allowance(curve.columns[pair.column], position, enters, kink, here, value);
+                interpolation_allowance(curve.columns[pair.column], position, path.ends(pair.column, s), here, value);
             compare(i, {row, value, here, pair.allowed(value, relative) + allowance});
         }
     }

@@ -289,15 +289,20 @@ double Path::in_interval(std::size_t column, std::size_t interval, double t) con
     return pieces_[column][interval](t);
 }
 
+std::size_t Path::interval_at(double s) const {
+    return static_cast<std::size_t>(std::upper_bound(s_.begin() + 1, s_.end() - 1, s) - s_.begin()) - 1;
+}
+
+std::array<double, 2> Path::ends(std::size_t column, double s) const {
+    if (s_.size() < 2) return {curve_->columns[column].values.front(), curve_->columns[column].values.front()};
+    const Hermite& piece = pieces_[column][interval_at(s)];
+    return {piece.q0, piece.q1};
+}
+
 std::vector<double> Path::at(double s) const {
     std::vector<double> row;
-    std::size_t interval = 0;
-    double t = 0;
-    if (s_.size() > 1) {
-        const auto above = std::upper_bound(s_.begin() + 1, s_.end() - 1, s);
-        interval = static_cast<std::size_t>(above - s_.begin()) - 1;
-        t = std::clamp((s - s_[interval]) / (s_[interval + 1] - s_[interval]), 0.0, 1.0);
-    }
+    const std::size_t interval = s_.size() > 1 ? interval_at(s) : 0;
+    const double t = s_.size() > 1 ? std::clamp((s - s_[interval]) / (s_[interval + 1] - s_[interval]), 0.0, 1.0) : 0;
     for (std::size_t column = 0; column < curve_->columns.size(); ++column)
         row.push_back(s_.size() > 1 ? in_interval(column, interval, t) : curve_->columns[column].values.front());
     return row;

@@ -22,6 +22,7 @@
 /// With a time the parameter is the time, and the slopes are time derivatives: the cubic through two rows interpolates values and
 /// velocities. In the interval after a change of stage the velocity at its start is unknown: there it is the parabola with the velocity at
 /// its end, or a straight line where that would turn. Tested by post/interpolate_test and post/dependent_columns_test.
+#include <array>
 #include <span>
 #include <vector>
 
@@ -52,6 +53,8 @@ public:
     [[nodiscard]] std::span<const std::size_t> rows() const noexcept { return rows_; }
     /// All columns at path parameter s in [0, length()], in the order of the curve.
     [[nodiscard]] std::vector<double> at(double s) const;
+    /// The values at the ends of the interval with s, as its cubic has them: those of another piece are left out (Column::jumps).
+    [[nodiscard]] std::array<double, 2> ends(std::size_t column, double s) const;
     /// All s at which the column, a coordinate, has `value` (in the column's unit), in path order.
     [[nodiscard]] std::vector<double> crossings(std::size_t column, double value) const;
     struct Range {
@@ -64,6 +67,7 @@ public:
     [[nodiscard]] double within_reach(std::size_t column, double value) const;
 
 private:
+    [[nodiscard]] std::size_t interval_at(double s) const;
     [[nodiscard]] double in_interval(std::size_t column, std::size_t interval, double t) const;
 
     const Curve* curve_;

@@ -101,16 +101,22 @@ void check_goals(const model::Case& solved, const PathSummary& path, Warnings& w
                            "; use a larger load");
 }
 
-void check_crushed(const model::Case& solved, const PathSummary& path, Warnings& warnings) {
+/// The first row at which rubber that hardly changes its volume is crushed at a point.
+std::optional<int> crushed_row(const model::Case& solved, const PathSummary& path) {
     constexpr double hardly_compressible = 10;
     const auto keeps_volume = [](const model::Material& material) {
         return !material.bulk_modulus_Pa ||
                *material.bulk_modulus_Pa >
                    hardly_compressible * material::initial_shear_modulus_Pa(model::make_rubber(material));
     };
-    if (!path.first_crushed_row || !std::ranges::all_of(solved.materials, keeps_volume)) return;
+    return std::ranges::all_of(solved.materials, keeps_volume) ? path.first_crushed_row : std::nullopt;
+}
+
+void check_crushed(const model::Case& solved, const PathSummary& path, Warnings& warnings) {
+    const auto row = crushed_row(solved, path);
+    if (!row) return;
     warnings.push_back(
-        "from row " + std::to_string(*path.first_crushed_row) + " on, nearly incompressible rubber is compressed to " +
+        "from row " + std::to_string(*row) + " on, nearly incompressible rubber is compressed to " +
         core::rounded_text(path.min_jacobian, 2) +
         " of its volume at a point (min_J), as next to a fixed edge or a sharp corner: limit points and turning points of "
         "the curve from there on may be mesh artefacts; round or release that edge, compare another mesh.size, or request "
@@ -134,12 +140,18 @@ void check_maximum(const model::Case& solved, const PathSummary& path, Warnings&
     if (stage.supplies.empty() || stage.supplies.front().what != model::Prescription::pressure) return;
     const double asked_Pa = stage.supplies.front().value, sense = asked_Pa < 0 ? -1 : 1;
     double max_Pa = 0;
-    for (const model::LimitPoint& point : path.limit_points) max_Pa = std::max(max_Pa, sense * point.pressure_Pa);
+    int limit_row = 0;
+    for (const model::LimitPoint& point : path.limit_points)
+        if (sense * point.pressure_Pa > max_Pa) {
+            max_Pa = sense * point.pressure_Pa;
+            limit_row = point.step;
+        }
     if (!(max_Pa > 0) || max_Pa >= std::abs(asked_Pa) || sense * path.last.pressure_Pa >= max_Pa) return;
+    const auto crushed = crushed_row(solved, path);
     warnings.push_back(
         "loads." + solved.loads.front().name + ": " + core::quantity_text(sense * max_Pa, core::Dimension::pressure) +
         " is the limit pressure on the way to " + core::quantity_text(asked_Pa, core::Dimension::pressure) +
-        (path.first_crushed_row ? ", perhaps only on this mesh (min_J)" : "") +
+        (crushed && *crushed <= limit_row ? ", perhaps only on this mesh (min_J)" : "") +
         ", and the path has ended past that limit point; request less than the limit pressure");
 }
 

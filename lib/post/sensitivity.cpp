@@ -47,11 +47,8 @@ std::string sensitivity_csv(const Curve& table, const model::Case& model, std::s
             const double value = parameter.value / parameter.SI_per_unit;
             // Between the last row of one stage and the first of another the column is not that of either.
             const bool is_held = load_is_held(table, row);
-            // Before the first output moves, no load gives another value of it.
-            const bool stands_still = !is_held && stiffness != nullptr && std::isinf(stiffness->values[row]);
-            const double d_load = is_held        ? 0
-                                  : stands_still ? std::numeric_limits<double>::quiet_NaN()
-                                                 : derivative_of(table, *load, parameter).values[row];
+            const bool stands_still = stiffness != nullptr && !std::isfinite(stiffness->values[row]);
+            const double d_load = is_held ? 0 : derivative_of(table, *load, parameter).values[row];
             const double d_output = stiffness == nullptr || is_held
                                         ? derivative_of(table, *output, parameter).values[row]
                                     : is_limit     ? std::numeric_limits<double>::quiet_NaN()

@@ -1,7 +1,6 @@
 #include "solver/accuracy.hpp"
 
 #include <algorithm>
-#include <cfloat>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -154,32 +153,34 @@ public:
         if (first.volume_m3) measures_.push_back({Measure::volume});
         load_range_ = range_of(rows, [](const model::Step& step) { return step.pressure_Pa; });
         for (const Measure& measure : measures_)
-            ranges_.push_back(std::max(
-                range_of(rows, [&](const model::Step& step) { return measure.point(step).measure; }), DBL_MIN));
+            ranges_.push_back(range_of(rows, [&](const model::Step& step) { return measure.point(step).measure; }));
     }
     [[nodiscard]] const std::vector<Measure>& all() const { return measures_; }
-    /// The number of the first one that does not stand still at a row, or of that which moves most; none before an obstacle is reached, or
-    /// where the load is held.
+    /// The first one that does not stand still at a row, or that which moves most; nullopt where none does, or the load is held.
     [[nodiscard]] std::optional<std::size_t> moving(const model::Step& step) const {
         std::size_t most = 0;
         for (std::size_t k = 0; k < measures_.size(); ++k) {
             if (rate(step, k) > standstill) return k;
             if (rate(step, k) > rate(step, most)) most = k;
         }
-        return rate(step, most) > 0 ? std::optional{most} : std::nullopt;
+        const bool is_known = measures_[most].tangent(step).load != 0 || model::holds_load(step);
+        return rate(step, most) > 0 || !is_known ? std::optional{most} : std::nullopt;
     }
-    /// Whether all outputs stand still, so that their own bars count.
-    [[nodiscard]] bool stand_still(const model::Step& step) const {
-        const auto most = moving(step);
-        return !step.outputs.empty() && (!most || rate(step, *most) <= standstill);
+    /// Whether all outputs stand still, of which one moves elsewhere, so that their own bars count.
+    [[nodiscard]] bool outputs_stand_still(const model::Step& step) const {
+        bool stand_still = true, move = false;
+        for (std::size_t k = 0; k < step.outputs.size(); ++k) {
+            stand_still = stand_still && rate(step, k) <= standstill;
+            move = move || ranges_[k] > 0;
+        }
+        return stand_still && move;
     }
 
 private:
-    /// Change over that of the load, relative to their ranges; 0 where the load is held, infinite where the tangent is unknown.
+    /// Change over that of the load, relative to their ranges; 0 where the load is held and where the tangent is unknown.
     [[nodiscard]] double rate(const model::Step& step, std::size_t k) const {
         const CurvePoint tangent = measures_[k].tangent(step);
-        if (model::holds_load(step)) return 0;
-        if (tangent.load == 0) return HUGE_VAL;
+        if (model::holds_load(step) || tangent.measure == 0 || !(ranges_[k] > 0)) return 0;
         return std::abs(tangent.measure / tangent.load) * load_range_ / ranges_[k];
     }
 
@@ -188,7 +189,7 @@ private:
     std::vector<double> ranges_;
 };
 
-/// Stores the bars in the reported rows; returns those of the first measure.
+/// Stores the bars in the reported rows; returns those of the measure that moves.
 std::vector<ErrorBar> set_bars(Rows& reported, const NeighbourLevels& around) {
     if (reported.front().step.time_s) return set_bars_in_time(reported, around);
     const Measures measures(reported);
@@ -197,16 +198,18 @@ std::vector<ErrorBar> set_bars(Rows& reported, const NeighbourLevels& around) {
         bars.push_back(bars_of(
             reported, around, [&](const model::Step& step, std::size_t) { return measure.point(step); },
             [&](const model::Step& step) { return measure.tangent(step); }));
+    std::vector<ErrorBar> of_moving;
     for (std::size_t i = 0; i < reported.size(); ++i) {
         model::Step& step = reported[i].step;
         const auto moving = measures.moving(step);
+        of_moving.push_back(bars[moving.value_or(0)][i]);
         step.pressure_error_Pa = moving ? bars[*moving][i].load : 0.0;
         step.output_errors.clear();
         for (std::size_t k = 0; k < step.outputs.size(); ++k) step.output_errors.push_back(bars[k][i].measure);
     }
     if (std::ranges::any_of(reported, [](const RowState& row) { return model::holds_load(row.step); }))
         set_bars_at_held_loads(reported, around);
-    return bars.front();
+    return of_moving;
 }
 
 /// Of the load, relative to it. Where no measure moves with the load, and on a path in time, where the load may be prescribed: of all outputs.
@@ -218,7 +221,7 @@ double max_relative_bar(const Rows& rows) {
         double largest = 0;
         for (const RowState& row : rows) largest = std::max(largest, std::abs(value_of(row.step)));
         for (const RowState& row : rows)
-            if (largest > 0.0 && (in_time || measures.stand_still(row.step) != where_moving))
+            if (largest > 0.0 && (in_time || measures.outputs_stand_still(row.step) != where_moving))
                 worst =
                     std::max(worst, bar_of(row.step) / std::max(std::abs(value_of(row.step)), small_load * largest));
     };

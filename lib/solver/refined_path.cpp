@@ -128,23 +128,24 @@ std::optional<State> RefinedPath::equilibrium(const RowState& coarse, RowPositio
     // Where the state that is carried over does not touch the obstacle that moves, the load does not move it.
     const NewtonEnd end = corrector_.last_result().end;
     if (moves_obstacle_ && (end == NewtonEnd::singular || end == NewtonEnd::converged))
-        if (auto found = at_equal_load(coarse)) return found;
+        if (auto found = at_equal_load(coarse, Settle::no)) return found;
     corrected_m_ = 0;  // retry without the row before
     state = carry_over(coarse);
     if (correct_to_nearest(state, coarse)) return at_goal(std::move(state));
     // What an obstacle moves follows it, and hardly moves along the path where it slides.
     auto followed = moves_obstacle_ ? follow_from_last(coarse, Approach::by_load) : std::nullopt;
     if (!followed) followed = follow_from_last(coarse, Approach::to_the_nearest);
-    return followed ? at_goal(std::move(*followed)) : at_equal_load(coarse);
+    return followed ? at_goal(std::move(*followed)) : at_equal_load(coarse, Settle::yes);
 }
 
-std::optional<State> RefinedPath::at_equal_load(const RowState& coarse) {
+std::optional<State> RefinedPath::at_equal_load(const RowState& coarse, Settle settling) {
     State state = carry_over(coarse);
     nearest_ = {ConstraintKind::load_factor};
     if (State solved = copy_of(state); corrector_.correct(nearest_, coarse.step.load_factor, solved)) {
         state = std::move(solved);
     } else {  // a crease of another size
-        auto settled = settle(corrector_, state, nearest_, coarse.step.load_factor);
+        std::optional<State> settled;
+        if (settling == Settle::yes) settled = settle(corrector_, state, nearest_, coarse.step.load_factor);
         if (!settled) return std::nullopt;
         state = std::move(*settled);
     }

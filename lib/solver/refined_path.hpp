@@ -50,7 +50,8 @@ private:
     [[nodiscard]] std::optional<State> follow_from_last(const RowState& coarse, Approach approach);
     /// The state at the load of the coarse row: where an obstacle just touches the coarse mesh, the finer one is still at rest, and the load
     /// does not move it.
-    [[nodiscard]] std::optional<State> at_equal_load(const RowState& coarse);
+    enum class Settle { no, yes };  ///< by an overdamped motion (snap.hpp), where Newton's method fails
+    [[nodiscard]] std::optional<State> at_equal_load(const RowState& coarse, Settle settling);
 
     fem::System& system_;
     const mesh::Refined& refined_;
