@@ -15,14 +15,16 @@ namespace {
 constexpr double first_drag = 0.1, no_drag = 1e-9, too_large_drag = 1e6;
 constexpr double after_success = 0.3, after_failure = 5.0;
 constexpr int most_corrections = 200;
-/// Of the displacements: the largest motion in a snap, and in one correction of it.
-constexpr double farthest = 0.1, longest = 0.01;
+/// Of the displacements: the largest motion in one correction.
+constexpr double longest = 0.01;
 /// Curvature from which on a fold is sharp: of a quantity over the length of the path, each relative to its value.
 constexpr double sharp = 20.0;
+/// Volume ratio at a point of the rubber below which it may crease: creases are searched there alone.
+constexpr double crushed = 0.75;
 /// At a fold: largest change of the load and of volumes, and of the displacements.
 constexpr double small_jump = 0.01, small_motion = 0.03;
-/// Of a quantity: the least change beyond a fold.
-constexpr double least_change = 1e-4;
+/// Of a quantity: the least change beyond a fold. Of the stored energy: what a snap sets free, in contrast to a step on the same path.
+constexpr double least_change = 1e-4, least_energy = 1e-6;
 /// Of the mean displacement: an output below is rounding, as of a symmetric body.
 constexpr double no_displacement = 0.01;
 
@@ -59,14 +61,15 @@ int held_modes(const PathState& path, const Constraint& held) {
 }
 
 /// `held` with the value `target`, to which it changes along the path.
-std::optional<PathPoint> snap_to(Corrector& corrector, const PathState& path, Constraint held, double target) {
+std::optional<PathPoint> snap_to(Corrector& corrector, const PathState& path, Constraint held, double target,
+                                 double farthest) {
     const PathPoint& last = *path.last;
     const int modes = held_modes(path, held);
     const bool is_on_the_way = held.kind != ConstraintKind::load_factor || !path.load_falls(last);
     if (!last.tangent.unstable_modes || *last.tangent.unstable_modes > modes || !is_on_the_way) return std::nullopt;
     const double change = target - controlled_value(held, last, 0.0);
     held.scale = std::abs(change);
-    std::optional<State> state = settle(corrector, last.state, held, target);
+    std::optional<State> state = settle(corrector, last.state, held, target, farthest);
     std::optional<PathTangent> tangent;
     if (state) tangent = corrector.newton().tangent(bind(path.control, last), *state);
     if (!tangent || !tangent->unstable_modes || *tangent->unstable_modes > modes) return std::nullopt;
@@ -108,6 +111,12 @@ std::vector<Constraint> held_quantities(const fem::System& system, const PathSta
     return held;
 }
 
+bool is_crushed(fem::System& system, const PathPoint& point) {
+    model::Step step;
+    read_rubber(system, point, 1.0, step);
+    return step.min_jacobian < crushed;
+}
+
 /// A quantity at a point, from its value in the undeformed body on, and its slope.
 struct Quantity {
     double value, slope;
@@ -134,32 +143,31 @@ std::optional<double> beyond_fold(const Constraint& held, const PathPoint& last,
     return value_of(held, last) + rise + std::copysign(least_change * std::abs(value_of(held, last)), rise);
 }
 
-/// Whether the body moves to another state nearby, and the load and volumes hardly change.
+/// Whether the load and volumes hardly change, but the body is in another state.
 bool is_local(const PathPoint& from, const PathPoint& to, const PathState& path, const fem::System& system) {
-    const DisplacementNorm norm(system);
-    const double motion = norm.distance(from.state.x, to.state.x);
     double largest = 0.0, change = 0.0;  // of all volumes
     for (std::size_t i = 0; i < from.load_volumes_m3.size(); ++i) {
         largest = std::max(largest, std::abs(from.load_volumes_m3[i] - path.undeformed_volumes_m3[i]));
         change = std::max(change, std::abs(to.load_volumes_m3[i] - from.load_volumes_m3[i]));
     }
-    return (to.lost_J > 0.0 || !system.has_energy()) && motion <= small_motion * norm(from.state.x) &&
-           change <= small_jump * largest && std::abs(to.leading - from.leading) <= small_jump * std::abs(from.leading);
+    const bool sets_energy_free = !system.has_energy() || to.lost_J > least_energy * *to.stored_J;
+    return sets_energy_free && change <= small_jump * largest &&
+           std::abs(to.leading - from.leading) <= small_jump * std::abs(from.leading);
 }
 
 /// The snap to `held` at `target`, or to a goal before it.
 std::optional<Snap> snap_towards(Corrector& corrector, PathState& path, const Listeners& listeners,
-                                 const Constraint& held, double target) {
+                                 const Constraint& held, double target, double farthest) {
     PathPoint& last = *path.last;
     const Goal* goal = nullptr;
     const Corrector::Memory memory = corrector.memory();
     corrector.system().contact().set_resting(false);  // a crease may close
-    auto point = snap_to(corrector, path, held, target);
+    auto point = snap_to(corrector, path, held, target, farthest);
     if (const auto passed = point ? first_between(path.goals, last, *point) : std::nullopt) {
         goal = passed->goal;
         if (goal->has_slope) {  // else it has jumped over its target
             corrector.restore(memory);
-            point = snap_to(corrector, path, goal->constraint, goal->target);
+            point = snap_to(corrector, path, goal->constraint, goal->target, farthest);
         }
     }
     if (point && !corrector.newton().passes_through_obstacle(last.state, point->state) &&
@@ -171,7 +179,8 @@ std::optional<Snap> snap_towards(Corrector& corrector, PathState& path, const Li
 
 }  // namespace
 
-std::optional<State> settle(Corrector& corrector, const State& from, const Constraint& held, double target) {
+std::optional<State> settle(Corrector& corrector, const State& from, const Constraint& held, double target,
+                            double farthest) {
     const DisplacementNorm norm(corrector.system());
     const double size = norm(from.x);
     State state = copy_of(from);
@@ -197,7 +206,7 @@ std::optional<Snap> snap(Corrector& corrector, PathState& path, const Listeners&
     const Constraint held = held_constraint(corrector, path);
     const PathPoint& last = *path.last;
     return snap_towards(corrector, path, listeners, held,
-                        controlled_value(held, last, 0.0) + control_slope(held, last) * step);
+                        controlled_value(held, last, 0.0) + control_slope(held, last) * step, farthest_snap);
 }
 
 std::optional<Snap> snap_over(const PathPoint& beyond, Corrector& corrector, PathState& path,
@@ -207,8 +216,8 @@ std::optional<Snap> snap_over(const PathPoint& beyond, Corrector& corrector, Pat
     const Corrector::Memory memory = corrector.memory();
     for (const Constraint& held : held_quantities(corrector.system(), path)) {
         const auto target = beyond_fold(held, last, beyond, path, corrector.system());
-        if (!target) continue;
-        auto found = snap_towards(corrector, path, listeners, held, *target);
+        if (!target || !is_crushed(corrector.system(), last)) continue;
+        auto found = snap_towards(corrector, path, listeners, held, *target, small_motion);
         if (found && is_local(last, found->point, path, corrector.system())) return found;
         if (found) restore(corrector, memory, last);
     }

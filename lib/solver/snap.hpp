@@ -11,9 +11,13 @@
 
 namespace soft::solver {
 
-/// The equilibrium nearby at which the overdamped motion from a state ends, with the quantity held at `target`.
+/// Of the displacements: a larger motion is no local snap.
+inline constexpr double farthest_snap = 0.1;
+
+/// The equilibrium at which the overdamped motion from a state ends, with the quantity held at `target`; nullopt also where it moves by more than
+/// the fraction `farthest` of the displacements.
 [[nodiscard]] std::optional<State> settle(Corrector& corrector, const State& from, const Constraint& held,
-                                          double target);
+                                          double target, double farthest = farthest_snap);
 
 struct Snap {
     PathPoint point;
@@ -25,7 +29,7 @@ struct Snap {
 /// instead.
 [[nodiscard]] std::optional<Snap> snap(Corrector& corrector, PathState& path, const Listeners& listeners, double step);
 
-/// The same beyond a sharp fold between the last row and `beyond`, which an arc length has passed; nullopt also where the path does not turn
+/// The same, where the rubber is crushed at a point, beyond a sharp fold between the last row and `beyond`, which an arc length has passed; nullopt also where the path does not turn
 /// back there, or where the load, the volumes or the displacements of the outputs would jump.
 [[nodiscard]] std::optional<Snap> snap_over(const PathPoint& beyond, Corrector& corrector, PathState& path,
                                             const Listeners& listeners);

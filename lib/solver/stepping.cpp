@@ -185,7 +185,10 @@ bool shorten_for_the_curve(const fem::System& system, PathState& path, const Aim
     auto& rejected = path.attempts.rejected_curve_error;
     const bool kink = rejected && error > error_at_a_kink * *rejected;
     if (error <= coarse_curve * settings.step_accuracy || kink) return false;
-    const double shorter = std::max(0.9 * std::pow(settings.step_accuracy / error, 1.0 / order), min_retake) * taken;
+    // A goal may lie farther away than predicted: the next attempt ends before the place predicted.
+    const double predicted = aim.crossing ? std::abs(aim.crossing->q - path.last->q) : std::abs(taken);
+    const double shorter = std::max(0.9 * std::pow(settings.step_accuracy / error, 1.0 / order), min_retake) *
+                           std::copysign(std::min(std::abs(taken), predicted), taken);
     if (is_first_try(system, path, shorter))
         reduce_first_step(path, round_step_size(shorter));
     else if (std::abs(shorter / path.first_step) < settings.min_step)
