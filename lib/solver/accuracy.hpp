@@ -5,9 +5,7 @@
 ///   circle through the old ones (mesh::Curve::circle).
 /// The rows of level k are reported, with error bars from level k + 1 and, where they exist, k - 1 and k - 2. The refinement ends as
 /// soon as the bars are within the tolerance. Two meshes can be enough: their bars are wide enough for that (error_bar.hpp).
-/// The bar of the load is that at equal value of the first output, or of the volume where the case has no output. The tolerance
-/// bounds the maximum of  bar of the load / max(|load|, a tenth of the path's largest |load|). Where the first output hardly changes with the
-/// load, as where a wall stops the actuator, it bounds the same of all outputs instead.
+/// The tolerance bounds the largest bar of the load relative to it (row_bars.hpp).
 /// Tested by solver/accuracy_test, verification/coverage_test and the verification suite (group Error bars).
 #include <cstdint>
 #include <functional>
