@@ -71,18 +71,17 @@ void add_dependents(const Curve& curve, std::span<const Pair> pairs, std::vector
 
 /// A position between two rows of the path.
 struct PathPosition {
-    std::size_t left, right;  ///< rows
     double t;                 ///< fraction of the interval
     std::size_t first, last;  ///< rows whose stage and stability are accepted here
 };
 
 PathPosition locate(const Path& path, std::size_t row_count, double s) {
     const auto parameters = path.row_parameters();
-    if (parameters.size() < 2) return {0, 0, 0, 0, row_count - 1};
+    if (parameters.size() < 2) return {0, 0, row_count - 1};
     const auto above = std::upper_bound(parameters.begin() + 1, parameters.end() - 1, s);
     const auto i = static_cast<std::size_t>(above - parameters.begin());
     const double t = (s - parameters[i - 1]) / (parameters[i] - parameters[i - 1]);
-    PathPosition position{path.rows()[i - 1], path.rows()[i], t, path.rows()[i - 1], path.rows()[i]};
+    PathPosition position{t, path.rows()[i - 1], path.rows()[i]};
     if (t < at_a_row && i > 1) position.first = path.rows()[i - 2];
     if (t > 1 - at_a_row) position.last = i + 1 < parameters.size() ? path.rows()[i + 1] : row_count - 1;
     return position;
