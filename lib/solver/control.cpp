@@ -53,6 +53,10 @@ bool is_near_maximum(const PathState& path) {
 
 }  // namespace
 
+bool is_displacement(const model::Output& output) {
+    return !model::is_reaction(output.measure) && output.obstacle.empty();
+}
+
 Constraint first_control(const fem::System& system, const model::Stage& stage) {
     const model::Case& input = system.input();
     if (stage.time_s) return {ConstraintKind::load_factor};
@@ -69,9 +73,8 @@ Constraint first_control(const fem::System& system, const model::Stage& stage) {
             refuse_control("volume control needs a loaded cavity", "use pressure, displacement or arc-length");
         case Control::displacement:
             for (std::size_t output = 0; output < input.outputs.size(); ++output)
-                if (stage.controlled.empty()
-                        ? !model::is_reaction(input.outputs[output].measure) && input.outputs[output].obstacle.empty()
-                        : input.outputs[output].name == stage.controlled)
+                if (stage.controlled.empty() ? is_displacement(input.outputs[output])
+                                             : input.outputs[output].name == stage.controlled)
                     return {ConstraintKind::output, output};
             refuse_control("displacement control needs an output", "define one under outputs");
     }

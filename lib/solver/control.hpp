@@ -5,6 +5,9 @@
 
 namespace soft::solver {
 
+/// Whether an output is a displacement, which may be controlled: no reaction, and no contact with an obstacle.
+[[nodiscard]] bool is_displacement(const model::Output& output);
+
 /// The control at the start of a stage. Throws Error (bad_input) for a quantity that the case does not have.
 [[nodiscard]] Constraint first_control(const fem::System& system, const model::Stage& stage);
 

@@ -99,14 +99,16 @@ std::optional<PathPoint> bisect_first_contact(Corrector& corrector, const PathSt
 
 }  // namespace
 
+std::optional<ContactEvent> walls_at(Corrector& corrector, const Listeners& listeners, const PathPoint& point) {
+    if (!listeners.contact || corrector.input().path.contact == model::Contact::ignore) return std::nullopt;
+    corrector.system().prescribe(point.levels);
+    return listeners.contact(point.state.x);
+}
+
 std::optional<ContactEvent> find_contact(Corrector& corrector, const PathState& path, const Listeners& listeners,
                                          PathPoint& point) {
-    if (!listeners.contact || corrector.input().path.contact != model::Contact::stop) return std::nullopt;
-    const auto contact_at = [&](const PathPoint& at) {
-        corrector.system().prescribe(at.levels);
-        return listeners.contact(at.state.x);
-    };
-    auto touching = contact_at(point);
+    if (corrector.input().path.contact != model::Contact::stop) return std::nullopt;
+    auto touching = walls_at(corrector, listeners, point);
     if (!touching) return std::nullopt;
     listeners.report("contact before row " + std::to_string(path.rows) + ": locating its onset");
     double free_q = path.last->q, touching_q = point.q;
@@ -115,7 +117,7 @@ std::optional<ContactEvent> find_contact(Corrector& corrector, const PathState& 
         const double q = 0.5 * (free_q + touching_q);
         auto middle = corrector.solve_between(frame_of(path), *path.last, point, q);
         if (!middle) break;
-        if (auto touch = contact_at(*middle)) {
+        if (auto touch = walls_at(corrector, listeners, *middle)) {
             touching = std::move(touch);
             touching_q = q;
         } else {
@@ -128,9 +130,8 @@ std::optional<ContactEvent> find_contact(Corrector& corrector, const PathState& 
 }
 
 std::optional<ContactEvent> find_crossing(Corrector& corrector, const Listeners& listeners, const PathPoint& point) {
-    if (!listeners.contact || corrector.input().path.contact != model::Contact::solve) return std::nullopt;
-    corrector.system().prescribe(point.levels);
-    return listeners.contact(point.state.x);
+    if (corrector.input().path.contact != model::Contact::solve) return std::nullopt;
+    return walls_at(corrector, listeners, point);
 }
 
 std::optional<Event> first_contact_before(const PathPoint& to, Corrector& corrector, const PathState& path,
@@ -139,7 +140,7 @@ std::optional<Event> first_contact_before(const PathPoint& to, Corrector& correc
     auto touching = first_in_contact(corrector, path, to, solved);
     if (!touching && solved != WithContact::no) touching = bisect_first_contact(corrector, path, to);
     if (touching) return first_contact_at(std::move(*touching), corrector, path);
-    contact_at(corrector, path, to.state);  // as before the search
+    corrector.system().contact().set_resting(false);  // `to` touches
     return std::nullopt;
 }
 

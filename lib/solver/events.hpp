@@ -31,6 +31,10 @@ struct Events {
     std::string control_ends;  ///< why the user-selected control cannot continue beyond the first extremum; else empty
 };
 
+/// Walls that touch at a point with path.contact: stop, or that pass through each other with path.contact: solve.
+[[nodiscard]] std::optional<ContactEvent> walls_at(Corrector& corrector, const Listeners& listeners,
+                                                   const PathPoint& point);
+
 /// With path.contact: stop, walls that touch at `point`, which moves back to the last state without contact between the last row and
 /// itself.
 [[nodiscard]] std::optional<ContactEvent> find_contact(Corrector& corrector, const PathState& path,

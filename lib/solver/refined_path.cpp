@@ -141,11 +141,9 @@ std::optional<State> RefinedPath::equilibrium(const RowState& coarse, RowPositio
 std::optional<State> RefinedPath::at_equal_load(const RowState& coarse, Settle settling) {
     State state = carry_over(coarse);
     nearest_ = {ConstraintKind::load_factor};
-    if (State solved = copy_of(state); corrector_.correct(nearest_, coarse.step.load_factor, solved)) {
-        state = std::move(solved);
-    } else {  // a crease of another size
-        std::optional<State> settled;
-        if (settling == Settle::yes) settled = settle(corrector_, state, nearest_, coarse.step.load_factor);
+    if (State start = copy_of(state); !corrector_.correct(nearest_, coarse.step.load_factor, state)) {
+        if (settling == Settle::no) return std::nullopt;
+        auto settled = settle(corrector_, start, nearest_, coarse.step.load_factor);  // a crease of another size
         if (!settled) return std::nullopt;
         state = std::move(*settled);
     }

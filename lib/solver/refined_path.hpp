@@ -48,9 +48,9 @@ private:
     /// The row approached from the one before in parts of the coarse step, where the guess is too far away, as in contact.
     enum class Approach { by_load, to_the_nearest };
     [[nodiscard]] std::optional<State> follow_from_last(const RowState& coarse, Approach approach);
+    enum class Settle { no, yes };  ///< by an overdamped motion (snap.hpp), where Newton's method fails
     /// The state at the load of the coarse row: where an obstacle just touches the coarse mesh, the finer one is still at rest, and the load
     /// does not move it.
-    enum class Settle { no, yes };  ///< by an overdamped motion (snap.hpp), where Newton's method fails
     [[nodiscard]] std::optional<State> at_equal_load(const RowState& coarse, Settle settling);
 
     fem::System& system_;

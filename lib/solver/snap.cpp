@@ -85,28 +85,17 @@ void restore(Corrector& corrector, const Corrector::Memory& memory, const PathPo
     let_contact_rest(corrector.system(), last, last);
 }
 
-/// Whether walls meet where they must not: pass through each other, or touch with path.contact: stop.
-bool walls_meet(Corrector& corrector, const Listeners& listeners, const PathPoint& point) {
-    if (!listeners.contact || corrector.input().path.contact == model::Contact::ignore) return false;
-    corrector.system().prescribe(point.levels);
-    return listeners.contact(point.state.x).has_value();
-}
-
-/// What may be held while the body snaps: what the user controls, or a volume or displacement, and the load.
+/// What may be held while the body snaps: what the user controls, or a volume or the displacements, and the load.
 std::vector<Constraint> held_quantities(const fem::System& system, const PathState& path) {
     const model::Case& input = system.input();
     if (path.user_control) return {*path.user_control};
     if (stage_of(input, path).control != model::Control::automatic) return {};  // arc length
     std::vector<Constraint> held;
-    if (const Constraint softer = softer_control(system, *path.loads); softer.kind != ConstraintKind::arc) {
+    if (const Constraint softer = softer_control(system, *path.loads); softer.kind != ConstraintKind::arc)
         held.push_back(softer);
-    } else {
-        const double mean_m = DisplacementNorm(system).mean(path.last->state.x);
-        for (std::size_t i = 0; held.empty() && i < input.outputs.size(); ++i)
-            if (!model::is_reaction(input.outputs[i].measure) && input.outputs[i].obstacle.empty() &&
-                std::abs(path.last->outputs[i]) > no_displacement * mean_m)
-                held.push_back({ConstraintKind::output, i});
-    }
+    else
+        for (std::size_t i = 0; i < input.outputs.size(); ++i)
+            if (is_displacement(input.outputs[i])) held.push_back({ConstraintKind::output, i});
     held.push_back({ConstraintKind::load_factor});
     return held;
 }
@@ -136,7 +125,9 @@ std::optional<double> beyond_fold(const Constraint& held, const PathPoint& last,
     const DisplacementNorm norm(system);
     const double turn = std::abs(to.slope / norm(beyond.tangent.x) - from.slope / norm(last.tangent.x)),
                  way = norm.distance(last.state.x, beyond.state.x), size = norm(last.state.x);
-    if (!(turn * size * size > sharp * std::abs(from.value) * way)) return std::nullopt;
+    const bool is_rounding =
+        held.kind == ConstraintKind::output && std::abs(from.value) < no_displacement * norm.mean(last.state.x);
+    if (is_rounding || !(turn * size * size > sharp * std::abs(from.value) * way)) return std::nullopt;
     // Twice the rise of the parabola with these slopes.
     const double slope = control_slope(held, last), step = beyond.q - last.q;
     const double rise = slope * step * slope / (slope - control_slope(held, beyond));
@@ -171,7 +162,7 @@ std::optional<Snap> snap_towards(Corrector& corrector, PathState& path, const Li
         }
     }
     if (point && !corrector.newton().passes_through_obstacle(last.state, point->state) &&
-        !walls_meet(corrector, listeners, *point) && find_work_of_jump(corrector, last, *point))
+        !walls_at(corrector, listeners, *point) && find_work_of_jump(corrector, last, *point))
         return Snap{std::move(*point), goal};
     restore(corrector, memory, last);
     return std::nullopt;

@@ -29,8 +29,8 @@ struct Snap {
 /// instead.
 [[nodiscard]] std::optional<Snap> snap(Corrector& corrector, PathState& path, const Listeners& listeners, double step);
 
-/// The same, where the rubber is crushed at a point, beyond a sharp fold between the last row and `beyond`, which an arc length has passed; nullopt also where the path does not turn
-/// back there, or where the load, the volumes or the displacements of the outputs would jump.
+/// The same, where the rubber is crushed at a point, beyond a sharp fold between the last row and `beyond`, which an arc length has passed;
+/// nullopt also where the path does not turn back there, the load or a volume would jump, or no energy is set free.
 [[nodiscard]] std::optional<Snap> snap_over(const PathPoint& beyond, Corrector& corrector, PathState& path,
                                             const Listeners& listeners);
 
