@@ -109,6 +109,16 @@ claim "d ln p / d ln b = b / t" within "$(ratio "$(cell d_load_percent geometry.
 claim "d ln p / d ln a = -b / t" within "$(ratio "$(cell d_load_percent geometry.inner_radius limit.csv)" -101)" 0.98 1.02
 claim "a limit point has no derivative of the output" [ -z "$(cell d_output material.mu limit.csv)" ]
 
+# Before a membrane touches the wall no load gives another force on it, its first output; at a row and between rows.
+runs 'mesh-gen -q designs/membrane-at-wall.yaml --set mesh.size=1mm --sensitivity material.mu | solve -q -o wall.h5 && postprocess -q --sensitivity wall.h5 -o rows.csv'
+runs 'postprocess -q --sensitivity --at pressure=1kPa wall.h5 -o between.csv && postprocess -q --sensitivity --at pressure=5kPa wall.h5 -o touching.csv'
+grep '^step\|^1,' rows.csv >free.csv
+for table in free between; do
+    claim "$table: no derivative of the load" [ -z "$(cell d_load material.mu $table.csv)" ]
+    claim "$table: no change of the force" [ "$(cell d_output material.mu $table.csv)" = 0 ]
+done
+claim "in contact both exist" awk "BEGIN { exit !($(cell d_load material.mu touching.csv) > 0 && $(cell d_output material.mu touching.csv) < 0) }"
+
 refuses 64 'mesh-gen: --sensitivity geometry.wal: not a number of the design that differs from 0; did you mean*' \
     'mesh-gen -q designs/bellows.yaml --sensitivity geometry.wal -o x.h5'
 refuses 65 'mesh-gen: --sensitivity: paths with friction have no sensitivities; *' \
