@@ -188,10 +188,11 @@ void add_data_options(CLI::App& app, Words& words, FitOptions& options) {
     app.add_option("--stress", words.stress, "Stress measure, if the column title does not state it")
         ->check(CLI::IsMember({"engineering", "true"}));
     app.add_option("--strain-unit", options.reading.strain_unit,
-                   "Unit of the strain column: 1 or %; for a displacement mm, in, ...")
+                   "Unit of the strain column, if its title does not state it: 1 or %; for a displacement mm, in, ...")
         ->type_name("UNIT");
-    app.add_option("--stress-unit", options.reading.stress_unit,
-                   "Unit of the stress column: Pa, kPa, MPa, N/mm^2, psi, ...; for a force N, lbf, ...")
+    app.add_option(
+           "--stress-unit", options.reading.stress_unit,
+           "Unit of the stress column, if its title does not state it: Pa, kPa, MPa, N/mm^2, psi, ...; for a force N, lbf, ...")
         ->type_name("UNIT");
     app.add_option("--gauge-length", words.gauge_length,
                    "The strain column is a displacement; strain = displacement / LENGTH")
@@ -211,7 +212,9 @@ void add_data_options(CLI::App& app, Words& words, FitOptions& options) {
     app.add_option("--time-column", options.reading.time_column,
                    "With --viscoelastic or --softening: time column, by (part of) its title or its number from 1")
         ->type_name("TITLE");
-    app.add_option("--time-unit", options.reading.time_unit, "Unit of the time column (default s)")->type_name("UNIT");
+    app.add_option("--time-unit", options.reading.time_unit,
+                   "Unit of the time column, if its title does not state it (default s)")
+        ->type_name("UNIT");
     app.add_flag("--any-order", words.any_order, "The rows are unordered points, not a loading sequence");
 }
 

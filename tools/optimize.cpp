@@ -14,6 +14,7 @@
 #include "contact_check.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
+#include "design/material_library.hpp"
 #include "design/tree.hpp"
 #include "geometry/build.hpp"
 #include "geometry/family.hpp"
@@ -106,15 +107,27 @@ std::vector<double> complete(optimize::Goal& goal, std::span<const optimize::Bas
     return optimize::start_of(goal, designs);
 }
 
-/// The base design with the values that were found, and the report as comments.
+/// Names of files that are not valid from `folder` become absolute.
+void name_files_from(const std::filesystem::path& folder, const design::Values& values, design::Node& root) {
+    const auto full = [](const std::filesystem::path& path) { return absolute(path).lexically_normal(); };
+    for (const std::string& key : values.file_keys()) {
+        const std::filesystem::path file = full(design::file_from(values.location(key), values.text(key)));
+        if (full(folder / values.text(key)) != file) design::put(root, key, design::scalar_node(file.string(), "file"));
+    }
+}
+
+/// The base design with the values that were found, and the report as comments, as a file in `folder`.
 std::string found_design(const optimize::Goal& goal, const optimize::Found& found, const optimize::Base& base,
-                         const std::vector<std::string>& lines) {
+                         const std::filesystem::path& folder, const std::vector<std::string>& lines) {
+    const std::vector<design::Override>& set = goal.runs.front().set;
     design::Node root = design::parse_yaml(base.text, base.source);
-    for (const design::Override& change : goal.runs.front().set)
+    design::expand_material_names(root);
+    for (const design::Override& change : set)
         design::put(root, change.path, design::parse_fragment(change.value, change.location));
     for (const std::size_t i : goal.runs.front().variables)
         design::put(root, goal.variables[i].key,
                     design::parse_fragment(goal.variables[i].text_of(found.values[i]), "vary"));
+    name_files_from(folder, design::read_design(base.text, base.source, geometry::catalogue_keys(), set).values, root);
     std::string text;
     for (const std::string& line : lines) text += "# " + core::one_line(line, std::string::npos) + "\n";
     return text + design::write_yaml(root);
@@ -241,7 +254,8 @@ ExitCode run(const OptimizeOptions& options) {
     }
     const std::vector<std::string> lines = report_lines(goal, found);
     if (!options.common.json.empty()) cli::write_json(options.common.json, report_json(goal, found));
-    cli::write_output(options.common.output, found_design(goal, found, bases.front(), lines));
+    const auto folder = std::filesystem::path{options.common.output}.parent_path();  // "-": the working directory
+    cli::write_output(options.common.output, found_design(goal, found, bases.front(), folder, lines));
     for (const std::string& line : lines) console.say(line);
     if (found.violation <= 0) return ExitCode::ok;
     console.error("no such design: the nearest of " + std::to_string(found.trials) + " trials is printed");

@@ -34,6 +34,8 @@ public:
     [[nodiscard]] bool has(std::string_view path) const;
     /// Names directly below a group: "left", "right" for "geometry.cavities".
     [[nodiscard]] std::vector<std::string> names_below(std::string_view group) const;
+    /// Paths of the keys whose value is the name of a file, not its content: "geometry.profile", "obstacles.die.surface".
+    [[nodiscard]] std::vector<std::string> file_keys() const;
     /// Error (bad_input) "file:line:col: path: problem; remedy" for checks that involve several keys; the caller throws it.
     [[nodiscard]] Error refuse(std::string_view path, std::string_view problem, std::string_view remedy = {}) const;
     void set(std::string path, Entry entry);

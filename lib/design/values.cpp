@@ -46,6 +46,15 @@ std::vector<std::string> Values::names_below(std::string_view group) const {
     return names;
 }
 
+std::vector<std::string> Values::file_keys() const {
+    std::vector<std::string> keys;
+    for (const auto& [path, entry] : entries_) {
+        const bool names_file = path == "geometry.file" || path.ends_with(".profile") || path.ends_with(".surface");
+        if (names_file && entry.given && entry.text.find('\n') == std::string::npos) keys.push_back(path);
+    }
+    return keys;
+}
+
 Error Values::refuse(std::string_view path, std::string_view problem, std::string_view remedy) const {
     const auto entry = entries_.find(path);
     std::string location = entry == entries_.end() ? std::string{} : entry->second.location;

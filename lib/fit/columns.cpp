@@ -157,8 +157,8 @@ std::string stated_unit(const Measured& measured, const std::string& option_valu
     if (!option_value.empty() && !fits(option_value))
         throw Error(ExitCode::usage, option, core::quoted(option_value) + " is not a unit of " + what,
                     "use " + examples);
-    if (!option_value.empty()) return option_value;
     if (fits(heading.unit)) return heading.unit;
+    if (!option_value.empty()) return option_value;
     const std::string_view unknown = in_brackets(heading.name);
     missing.add(unknown.empty() ? "the unit of the " + what + " is not stated"
                                 : core::quoted(unknown) + " is not a known unit of " + what,
@@ -170,24 +170,24 @@ std::string strain_unit(std::string_view in_header, const ReadSettings& settings
     if (!settings.strain_unit.empty() && settings.strain_unit != "%" && settings.strain_unit != "1")
         throw Error(ExitCode::usage, "--strain-unit", core::quoted(settings.strain_unit) + " is not a unit of strain",
                     "use 1 or %");
-    const std::string_view unit = settings.strain_unit.empty() ? in_header : settings.strain_unit;
+    const std::string_view unit = in_header.empty() ? settings.strain_unit : in_header;
     return unit == "%" ? "%" : "";  // strain is a plain ratio unless stated otherwise
 }
 
 StrainMeasure strain_measure(std::string_view title, const ReadSettings& settings, MissingMetadata& missing) {
-    if (settings.strain_measure) return *settings.strain_measure;
     if (contains(title, "stretch")) return StrainMeasure::stretch;
     if (is_true_measure(title)) return StrainMeasure::logarithmic;
     if (is_engineering(title)) return StrainMeasure::engineering;
+    if (settings.strain_measure) return *settings.strain_measure;
     missing.add("the title does not state whether the strain is engineering, true, or a stretch",
                 "--strain engineering, true or stretch");
     return {};
 }
 
 StressMeasure stress_measure(std::string_view title, const ReadSettings& settings, MissingMetadata& missing) {
-    if (settings.stress_measure) return *settings.stress_measure;
     if (is_true_measure(title)) return StressMeasure::cauchy;
     if (is_engineering(title)) return StressMeasure::engineering;
+    if (settings.stress_measure) return *settings.stress_measure;
     missing.add("the title does not state whether the stress is engineering or true", "--stress engineering or true");
     return {};
 }
@@ -220,7 +220,8 @@ Columns columns_of(const Table& table, const ReadSettings& settings) {
         stated_unit(is_machine_stress ? force_quantity : stress_quantity, settings.stress_unit, stress, missing);
     if (settings.wants_time) {
         columns.time = find_column(table, {"time", "--time-column", settings.time_column, is_time, is_no_title, {}});
-        const std::string stated = settings.time_unit.empty() ? heading(columns.time).unit : settings.time_unit;
+        const std::string in_title = heading(columns.time).unit,
+                          stated = in_title.empty() ? settings.time_unit : in_title;
         if (!stated.empty() && core::dimension_of(stated) == core::Dimension::time)
             columns.time_unit = stated;
         else if (!settings.time_unit.empty())

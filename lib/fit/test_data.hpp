@@ -55,7 +55,8 @@ struct Specimen {
     std::optional<double> area_m2 = {};         ///< if given, the stress column contains a force
 };
 
-/// Columns are named by (part of) their title, case-insensitive, or by their number from 1. Empty settings are taken from the header:
+/// Columns are named by (part of) their title, case-insensitive, or by their number from 1. Measures and units are those that the title
+/// states, and settings only where it states none, so that files with different titles can be read together:
 /// "Engineering Strain", "True Stress (MPa)", "stretch", "stress_kPa"; engineering is preferred to true. With a specimen:
 /// "Extension (mm)", "Crosshead [mm]", "Standard travel", "Load (N)", "Standard force", "Standardweg", "Standardkraft".
 struct ReadSettings {

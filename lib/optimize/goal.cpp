@@ -27,6 +27,15 @@ void require_map(const Node& node, const std::string& path, const std::string& e
         refuse(node.location, path, "a group of keys is needed here", "write for example " + example);
 }
 
+/// The member of a group that has one: {pressure: 20 kPa}.
+const Member& single_member(const Node& map, const std::string& path, const std::string& example) {
+    require_map(map, path, example);
+    if (map.members.size() > 1)
+        refuse(map.members[1].location, path, core::quoted(map.members[1].key) + " is a second quantity",
+               "write for example " + example);
+    return map.members.front();
+}
+
 /// A quantity as written.
 struct Written {
     double SI = 0;
@@ -66,14 +75,19 @@ Variable variable_of(const Member& member_of_vary) {
 /// "geometry.bore_radius + 2 * geometry.wall"
 std::vector<Measure::Term> terms_of(const std::string& text, const std::string& location) {
     std::vector<Measure::Term> terms;
-    for (const std::string& part : core::split(text, '+')) {
+    std::string sum = text;  // a - b is a + -1 * b
+    for (std::size_t minus = 0; (minus = sum.find(" - ", minus)) != std::string::npos;)
+        sum.replace(minus, 3, " + -1 * ");
+    for (const std::string& part : core::split(sum, '+')) {
         const std::vector<std::string> factors = core::split(part, '*');
         Measure::Term term{1, factors.back()};
-        bool valid = factors.size() <= 2 && !term.key.empty();
-        if (factors.size() == 2) {
-            const auto [end, error] =
-                std::from_chars(factors[0].data(), factors[0].data() + factors[0].size(), term.factor);
-            valid = valid && error == std::errc{} && end == factors[0].data() + factors[0].size();
+        bool valid = !term.key.empty();
+        for (const std::string& text_of_factor : std::span(factors).first(factors.size() - 1)) {
+            double factor = 1;
+            const char* const end_of_text = text_of_factor.data() + text_of_factor.size();
+            const auto [end, error] = std::from_chars(text_of_factor.data(), end_of_text, factor);
+            valid = valid && error == std::errc{} && end == end_of_text;
+            term.factor *= factor;
         }
         if (!valid)
             refuse(location, text, core::quoted(part) + " is not a number of the design",
@@ -84,10 +98,9 @@ std::vector<Measure::Term> terms_of(const std::string& text, const std::string& 
 }
 
 void read_at(const Node& entry, const std::string& path, Measure& measure) {
-    const Node& at = member(entry, "at", path);
-    require_map(at, path + ".at", "at: {pressure: 20 kPa}");
-    const Written value = quantity_of(at.members.front().value, path + ".at");
-    measure.at = at.members.front().key;
+    const Member& at = single_member(member(entry, "at", path), path + ".at", "at: {pressure: 20 kPa}");
+    const Written value = quantity_of(at.value, path + ".at");
+    measure.at = at.key;
     measure.at_SI = value.SI;
     measure.at_text = value.text;
     measure.text = measure.quantity + " at " + measure.at + " " + value.text;
@@ -95,15 +108,20 @@ void read_at(const Node& entry, const std::string& path, Measure& measure) {
 
 void set_value(Condition& condition, const Written& value) {
     condition.value_SI = value.SI;
-    condition.scale_SI = value.SI == 0 ? 1 : std::abs(value.SI);
+    condition.scale_SI = value.SI == 0 ? value.SI_per_unit : std::abs(value.SI);
     condition.value_text = value.text;
     condition.unit = value.unit;
     condition.SI_per_unit = value.SI_per_unit;
 }
 
-/// The measure of a limit point.
-Measure limit_of(const std::string& load) {
-    return {.kind = Measure::Kind::limit, .quantity = load, .text = "limit " + load};
+/// The load of {limit: {pressure: 45 kPa}}, and its measure.
+const Member& limit_load(const Node& entry, const Node& limit, const std::string& path, const std::string& example) {
+    if (const Node* at = design::find(entry, "at"))
+        refuse(at->location, path + ".at", "a limit point has its own place", "omit it");
+    return single_member(limit, path, example);
+}
+Measure limit_of(const Member& load) {
+    return {.kind = Measure::Kind::limit, .quantity = load.key, .text = "limit " + load.key};
 }
 /// The measure that a word names without further keys.
 std::optional<Measure> volume_named(const std::string& name) {
@@ -112,13 +130,21 @@ std::optional<Measure> volume_named(const std::string& name) {
     return Measure{.kind = kind, .quantity = name, .text = name};
 }
 
-/// A bound {below: 2} or {above: 2}.
-void read_bound(const Node& bound, const std::string& path, Condition& condition) {
-    require_map(bound, path, "{below: 2}");
-    design::require_known_keys(bound, {"below", "above"}, path);
-    condition.relation = bound.members.front().key == "below" ? Condition::Relation::below : Condition::Relation::above;
-    const Written value = quantity_of(bound.members.front().value, path);
-    set_value(condition, value);
+/// Bounds on a measure: {below: 2}, {above: 2}, or both.
+std::vector<Condition> bounds_on(const Measure& measure, const Node& bounds, const std::string& path) {
+    require_map(bounds, path, "{below: 2}");
+    design::require_known_keys(bounds, {"below", "above"}, path);
+    std::vector<Condition> conditions;
+    for (const Member& bound : bounds.members) {
+        Condition condition{.measure = measure};
+        condition.relation = bound.key == "below" ? Condition::Relation::below : Condition::Relation::above;
+        set_value(condition, quantity_of(bound.value, path));
+        conditions.push_back(std::move(condition));
+    }
+    const auto value_of = [&](const char* key) { return quantity_of(member(bounds, key, path), path).SI; };
+    if (conditions.size() == 2 && !(value_of("above") < value_of("below")))
+        refuse(bounds.location, path, "`above` is not less than `below`");
+    return conditions;
 }
 
 /// The prior of a variable as a condition.
@@ -234,9 +260,9 @@ Condition target_of(const Node& entry, const std::string& path) {
     const Node* value = &subject.value;
     condition.measure.quantity = subject.key;
     if (subject.key == "limit") {
-        require_map(*value, path, "{limit: {pressure: 45 kPa}}");
-        condition.measure = limit_of(value->members.front().key);
-        value = &value->members.front().value;
+        const Member& load = limit_load(entry, *value, path, "{limit: {pressure: 45 kPa}}");
+        condition.measure = limit_of(load);
+        value = &load.value;
     } else {
         read_at(entry, path, condition.measure);
     }
@@ -246,27 +272,34 @@ Condition target_of(const Node& entry, const std::string& path) {
     return condition;
 }
 
-Condition constraint_of(const Node& entry, const std::string& path) {
+std::vector<Condition> constraints_of(const Node& entry, const std::string& path) {
     const Member& subject = subject_of(entry, path);
-    Condition condition;
+    if (const Node* within = design::find(entry, "within"))
+        refuse(within->location, path + ".within", "a bound has no tolerance", "omit it");
     if (subject.key == "limit") {
-        require_map(subject.value, path, "{limit: {pressure: {above: 40 kPa}}}");
-        const Member& load = subject.value.members.front();
-        condition.measure = limit_of(load.key);
-        read_bound(load.value, path, condition);
-        return condition;
+        const Member& load = limit_load(entry, subject.value, path, "{limit: {pressure: {above: 40 kPa}}}");
+        return bounds_on(limit_of(load), load.value, path);
     }
-    read_bound(subject.value, path, condition);
-    condition.measure.quantity = condition.measure.text = subject.key;
+    Measure measure{.quantity = subject.key, .text = subject.key};
     if (design::find(entry, "at") != nullptr) {
-        read_at(entry, path, condition.measure);
+        read_at(entry, path, measure);
     } else if (auto volume = volume_named(subject.key)) {
-        condition.measure = std::move(*volume);
+        measure = std::move(*volume);
     } else {
-        condition.measure.kind = Measure::Kind::keys;
-        condition.measure.terms = terms_of(subject.key, subject.location);
+        measure.kind = Measure::Kind::keys;
+        measure.terms = terms_of(subject.key, subject.location);
     }
-    return condition;
+    return bounds_on(measure, subject.value, path);
+}
+
+/// Whether an entry is {stable: true}.
+bool asks_for_stability(const Node& entry, const std::string& path) {
+    const Node* stable = design::find(entry, "stable");
+    if (stable == nullptr) return false;
+    if (entry.members.size() > 1 || stable->text != "true")
+        refuse(entry.location, path + ".stable", "has the value true and no further keys",
+               "all states up to the last value of a target or constraint are checked");
+    return true;
 }
 
 std::optional<Measure> objective_of(const Node& node) {
@@ -277,11 +310,12 @@ std::optional<Measure> objective_of(const Node& node) {
         refuse(node.location, path, core::quoted(node.text) + " is not an objective",
                "write rubber_volume, cavity_volume, nothing, or {stretch_p99: {at: {pressure: 20 kPa}}}");
     }
-    require_map(node, path, "{stretch_p99: {at: {pressure: 20 kPa}}}");
-    Measure measure;
-    measure.quantity = node.members.front().key;
-    require_map(node.members.front().value, path, "{stretch_p99: {at: {pressure: 20 kPa}}}");
-    read_at(node.members.front().value, path, measure);
+    const std::string example = "{stretch_p99: {at: {pressure: 20 kPa}}}";
+    const Member& subject = single_member(node, path, example);
+    require_map(subject.value, path, example);
+    design::require_known_keys(subject.value, {"at"}, path);
+    Measure measure{.quantity = subject.key};
+    read_at(subject.value, path, measure);
     return measure;
 }
 
@@ -324,11 +358,10 @@ Goal read_goal(std::string_view text, std::string_view source) {
         }
     if (const Node* constraints = design::find(root, "constraints"))
         for (const Node& entry : list_of(*constraints, "constraints")) {
-            const Node* stable = design::find(entry, "stable");
-            if (stable != nullptr && stable->text == "true")
+            if (asks_for_stability(entry, "constraints"))
                 goal.stable = true;
             else
-                add(entry, constraint_of(entry, "constraints"));
+                for (Condition& bound : constraints_of(entry, "constraints")) add(entry, std::move(bound));
         }
     if (const Node* minimize = design::find(root, "minimize")) goal.minimize = objective_of(*minimize);
     if (goal.conditions.empty() && goal.curves.empty() && !goal.minimize)
@@ -344,44 +377,6 @@ Goal read_goal(std::string_view text, std::string_view source) {
         refuse(design::find(root, "minimize")->location, "minimize",
                "a goal with measured curves or priors minimizes the differences from them", "omit it");
     return goal;
-}
-
-std::vector<double> start_of(Goal& goal, std::span<const design::Design> designs) {
-    std::vector<double> values;
-    for (std::size_t i = 0; i < goal.variables.size(); ++i) {
-        Variable& variable = goal.variables[i];
-        const std::string location = "vary." + variable.key;
-        std::vector<std::string> known;
-        const design::Design* first = nullptr;
-        variable.is_whole = false;
-        for (std::size_t run = 0; run < designs.size(); ++run) {
-            const design::Design& design = designs[run];
-            for (const model::DesignParameter& parameter : design.parameters) known.push_back(parameter.key);
-            if (!design.values.has(variable.key)) continue;
-            goal.runs[run].variables.push_back(i);
-            const bool is_continuous = std::ranges::find(design.parameters, variable.key,
-                                                         &model::DesignParameter::key) != design.parameters.end();
-            if (!is_continuous && !std::holds_alternative<long>(core::parse_count(design.values.text(variable.key))))
-                continue;
-            if (first != nullptr) continue;
-            first = &design;
-            variable.is_whole = !is_continuous;
-        }
-        if (first == nullptr)
-            throw Error(ExitCode::bad_input, location,
-                        "is neither a number of the design that differs from 0 nor a count",
-                        core::did_you_mean(variable.key, known));
-        const auto is_round = [](double value) { return value == std::round(value); };
-        if (variable.is_whole && (!variable.unit.empty() || !is_round(variable.from) || !is_round(variable.to)))
-            throw Error(ExitCode::bad_input, location, "is a whole number", "write for example {from: 6, to: 14}");
-        values.push_back(first->values.number(variable.key));
-    }
-    // A prior belongs to any run whose design has the variable.
-    for (Condition& condition : goal.conditions)
-        if (condition.is_data && condition.measure.kind == Measure::Kind::keys)
-            for (std::size_t run = designs.size(); run-- > 0;)
-                if (designs[run].values.has(condition.measure.terms.front().key)) condition.measure.run = run;
-    return values;
 }
 
 }  // namespace soft::optimize

@@ -12,7 +12,7 @@
 ///     minimize: rubber_volume                  # rubber_volume | cavity_volume | nothing | {stretch_p99: {at: {pressure: 20 kPa}}}
 ///     constraints:
 ///       - {stretch_p99: {below: 2}, at: {pressure: 20 kPa}}
-///       - {geometry.bore_radius + 2 * geometry.wall: {below: 9 mm}}
+///       - {geometry.bore_radius + 2 * geometry.wall: {above: 6 mm, below: 9 mm}}
 ///       - {limit: {pressure: {above: 40 kPa}}}
 ///       - {stable: true}
 /// With a `prior` ({from: 50 kPa, to: 200 kPa, prior: 84 kPa, sd: 5 kPa}) a variable is a measured value too.

@@ -1,5 +1,6 @@
 #include <ceres/ceres.h>
 
+#include <algorithm>
 #include <exception>
 
 #include "optimize/record.hpp"
@@ -76,6 +77,11 @@ void run_least_squares(const Goal& goal, Record& record, const std::vector<doubl
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem, &summary);
     differences->rethrow();
+    // Ceres projects its step onto the ranges and stops where nothing is left of it, also where another direction leads on.
+    const std::vector<double> end = cube.values_at(u.data());
+    const bool is_at_an_end = std::ranges::any_of(u, [](double value) { return value <= 0 || value >= 1; });
+    const bool is_met = !goal.has_data() && record.of_conditions(record.at(end)) <= 0;
+    if (is_at_an_end && !is_met) run_quadratic_programming(goal, record, end);
 }
 
 }  // namespace soft::optimize

@@ -15,7 +15,8 @@ bool is_at_end(const Variable& variable, double value_SI) {
 bool is_active(const Condition& condition, double value_SI) {
     constexpr double share = 2e-3;
     return condition.relation != Condition::Relation::equal &&
-           std::abs(value_SI - condition.value_SI) <= share * condition.scale_SI;
+           std::abs(value_SI - condition.value_SI) <=
+               share * std::max(std::abs(value_SI), std::abs(condition.value_SI));
 }
 
 std::optional<Statistics> statistics_of(const Goal& goal, const Found& found) {

@@ -214,6 +214,18 @@ std::optional<design::Override> end_of_path(std::span<const Measure* const> meas
     return design::Override{"path.until." + last->at, last->at_text, {}};
 }
 
+/// Whether the rows of a measured curve return to values of `at` that they have passed, as beyond a limit point.
+bool data_turn_back(const Goal& goal, std::size_t run) {
+    const Condition* before = nullptr;
+    for (const Condition& row : goal.conditions) {
+        if (!row.curve || row.measure.run != run) continue;
+        const bool continues = before != nullptr && before->curve == row.curve && before->line < row.line;
+        if (continues && std::abs(row.measure.at_SI) < std::abs(before->measure.at_SI)) return true;
+        before = &row;
+    }
+    return false;
+}
+
 Solved solve(const Goal& goal, const Run& run, const design::Design& design, const Base& base,
              const MakeContactCheck& contact_check) {
     geometry::Built built = geometry::build_with_figures(design);
@@ -263,7 +275,7 @@ void add_run(const Goal& goal, std::size_t index, const Base& base, const std::v
         return design::read_design(base.text, base.source, geometry::catalogue_keys(), overrides);
     };
     design::Design design = read();
-    if (const auto end = end_of_path(measures, design)) {
+    if (const auto end = end_of_path(measures, design); end && !data_turn_back(goal, index)) {
         overrides.push_back(*end);
         design = read();
     }
@@ -288,6 +300,12 @@ void add_run(const Goal& goal, std::size_t index, const Base& base, const std::v
         trial.conditions[i] =
             measured(condition.measure, condition.relation == Condition::Relation::above ? condition.value_SI : never,
                      condition.is_data ? std::optional(condition.value_SI) : std::nullopt);
+        for (const Measure::Term& term : condition.measure.terms) {
+            const auto number = std::ranges::find(design.parameters, term.key, &model::DesignParameter::key);
+            if (number == design.parameters.end()) continue;  // zero, or a count
+            check_unit(condition.value_text, core::dimension_of(number->unit).value_or(core::Dimension::ratio),
+                       term.key);
+        }
         const Measure::Kind kind = condition.measure.kind;
         const bool is_of_path = kind == Measure::Kind::curve || kind == Measure::Kind::limit;
         if (is_of_path && !condition.curve)  // that of a file has been read in the unit of its column

@@ -1,7 +1,6 @@
 #include "sweep/plan.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -20,7 +19,6 @@ constexpr int significant_digits = 9;
 constexpr std::size_t id_length = 16;
 constexpr std::size_t max_file = std::size_t{4} << 30;  // bytes, the limit of a mesh file
 constexpr std::string_view sensitivity_line = "# sensitivity: ";
-constexpr std::array file_keys{"geometry.file", "geometry.profile"};
 
 std::string with_unit(const Range& range, double value) {
     return core::rounded_text(value, significant_digits) + (range.unit.empty() ? "" : " " + range.unit);
@@ -60,10 +58,7 @@ PlannedDesign planned(const Sweep& sweep, const PlanInput& input, std::vector<st
         const std::string keys = sensitivity_keys(sweep, design.parameters),
                           head = keys.empty() ? "" : std::string{sensitivity_line} + keys + "\n";
         std::string content = head + design.effective_yaml;
-        for (const char* file_key : file_keys) {  // use an absolute path, and hash the content of the file
-            if (!design.values.has(file_key)) continue;
-            if (design.values.text(file_key).find('\n') != std::string::npos)
-                continue;  // the key holds the content itself
+        for (const std::string& file_key : design.values.file_keys()) {  // an absolute path, and the file's content
             const std::filesystem::path file =
                 design::file_from(design.values.location(file_key), design.values.text(file_key));
             content += core::sha256_hex(core::read_regular_file(file, max_file));

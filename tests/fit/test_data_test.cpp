@@ -117,6 +117,17 @@ TEST(TestData, RequiresMissingMeasuresAndUnits) {
               1.2);
 }
 
+TEST(TestData, TitlesPrecedeTheSettings) {
+    const ReadSettings settings{.strain_measure = StrainMeasure::engineering,
+                                .stress_measure = StressMeasure::engineering,
+                                .strain_unit = "1",
+                                .stress_unit = "kPa"};
+    const TestCurve stated = read_test("Stretch;True stress (MPa)\n1.25;1\n1.6;2\n", "a", Mode::uniaxial, settings);
+    EXPECT_EQ(stated.stretch, (std::vector{1.25, 1.6}));
+    EXPECT_EQ(stated.nominal_Pa, (std::vector{8e5, 1.25e6}));
+    EXPECT_EQ(read_test("Strain (%);Stress\n25;1\n60;2\n", "a", Mode::uniaxial, settings).stretch, stated.stretch);
+}
+
 TEST(TestData, FirstInvariantMatchesTheClosedFormOfEachMode) {
     EXPECT_DOUBLE_EQ(first_invariant(Mode::uniaxial, 4.0), 16.5);
     EXPECT_DOUBLE_EQ(first_invariant(Mode::equibiaxial, 2.0), 8.0 + 1.0 / 16.0);

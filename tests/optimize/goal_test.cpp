@@ -119,6 +119,51 @@ TEST(Goal, RefusesValuesOfAnotherKind) {
     EXPECT_NE(with("4 kPa", curve + ", set: {m: 2 kPa}").find("set.m: is varied too"), std::string::npos);
 }
 
+TEST(Goal, EachBoundIsACondition) {
+    const Goal goal = read_goal(
+        "design: a.yaml\nvary: {a: {from: 1 mm, to: 4 mm}}\nconstraints:\n"
+        "  - {grow: {above: 1 mm, below: 2 mm}, at: {pressure: 3 kPa}}\n"
+        "  - {limit: {pressure: {below: 8 kPa, above: 6 kPa}}}\n"
+        "  - {b - 2 * a: {above: 3 mm}}\nminimize: rubber_volume\n",
+        "goal.yaml");
+    ASSERT_EQ(goal.conditions.size(), 5u);
+    const std::vector wanted{Condition::Relation::above, Condition::Relation::below, Condition::Relation::below,
+                             Condition::Relation::above, Condition::Relation::above};
+    const std::vector bounds{1e-3, 2e-3, 8e3, 6e3, 3e-3};
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        EXPECT_EQ(goal.conditions[i].relation, wanted[i]) << i;
+        EXPECT_DOUBLE_EQ(goal.conditions[i].value_SI, bounds[i]) << i;
+    }
+    EXPECT_EQ(goal.conditions[1].measure.text, "grow at pressure 3 kPa");
+    EXPECT_EQ(goal.conditions[3].measure.kind, Measure::Kind::limit);
+    const auto& terms = goal.conditions[4].measure.terms;
+    ASSERT_EQ(terms.size(), 2u);
+    EXPECT_EQ(terms[0].factor, 1);
+    EXPECT_EQ(terms[1].factor, -2);
+    EXPECT_EQ(terms[1].key, "a");
+}
+
+TEST(Goal, RefusesKeysThatHaveNoEffect) {
+    const std::string head = "design: a.yaml\nvary: {a: {from: 1 mm, to: 4 mm}}\n";
+    const auto constraint = [&](const std::string& text) { return refusal(head + "constraints: [{" + text + "}]\n"); };
+    const auto target = [&](const std::string& text) { return refusal(head + "targets: [{" + text + "}]\n"); };
+    EXPECT_NE(constraint("grow: {above: 2 mm, below: 1 mm}, at: {pressure: 3 kPa}").find("`above` is not less than"),
+              std::string::npos);
+    EXPECT_NE(constraint("grow: {above: 2 mm}, at: {pressure: 3 kPa}, within: 1 %").find("a bound has no tolerance"),
+              std::string::npos);
+    EXPECT_NE(constraint("stable: true, at: {grow: 5 mm}").find("has the value true and no further keys"),
+              std::string::npos);
+    EXPECT_NE(constraint("stable: false").find("has the value true"), std::string::npos);
+    EXPECT_NE(target("limit: {pressure: 15 kPa, grow: 3 mm}").find("'grow' is a second quantity"), std::string::npos);
+    EXPECT_NE(target("limit: {pressure: 15 kPa}, at: {grow: 3 mm}").find("targets.at: a limit point has its own"),
+              std::string::npos);
+    EXPECT_NE(target("grow: 1 mm, at: {pressure: 3 kPa, volume: 2 mL}").find("'volume' is a second quantity"),
+              std::string::npos);
+    EXPECT_NE(
+        refusal(head + "minimize: {stretch_p99: {at: {pressure: 3 kPa}, foo: 1}}\n").find("minimize.foo: unknown"),
+        std::string::npos);
+}
+
 TEST(Goal, RefusesWithPlaceProblemAndRemedy) {
     EXPECT_EQ(refusal("design: a.yaml\nvary: {geometry.wall: {from: 4 mm, to: 1 mm}}\ntargets: []\n"),
               "goal.yaml:2:40: vary.geometry.wall.to: is not larger than `from`");

@@ -34,6 +34,20 @@ Trial hyperbola(const std::vector<double>& v) {
     return {"", {{v[0] * v[1], {v[1], v[0]}}}, {v[0] * v[0] + v[1] * v[1], {2 * v[0], 2 * v[1]}}, true};
 }
 
+/// x + y = 1.5 and (x - y)/10 = 0.25 at x = 2, y = -0.5; its projection onto the ranges is the corner x = 1, y = 0. The nearest point in the
+/// ranges is x = 1, y = 0.97/2.02, where 2 (y - 0.5) + 0.2 (0.15 + 0.1 y) = 0.
+TEST(Search, LeavesACornerThatIsNotTheNearest) {
+    Condition sum = condition(equal, 1.5), difference = condition(equal, 0.25);
+    sum.scale_SI = difference.scale_SI = 1;
+    const Goal goal = goal_of({variable("x", 0, 1), variable("y", 0, 1)}, {sum, difference}, false);
+    const auto plane = [](const std::vector<double>& v) {
+        return Trial{"", {{v[0] + v[1], {1, 1}}, {(v[0] - v[1]) / 10, {0.1, -0.1}}}, {}, true};
+    };
+    const Found found = search(goal, {0.5, 0.5}, {1}, plane, silent);
+    EXPECT_NEAR(found.values[0], 1, 1e-6);
+    EXPECT_NEAR(found.values[1], 0.97 / 2.02, 1e-3);
+}
+
 TEST(Search, FindsAConstrainedMinimum) {
     const Goal goal = goal_of({variable("x", 0.1, 4), variable("y", 0.1, 4)}, {condition(equal, 1)}, true);
     const Found found = search(goal, {3, 0.2}, {1}, hyperbola, silent);

@@ -111,6 +111,18 @@ refuses 66 'optimize: *nowhere.yaml*' 'optimize nowhere.yaml -q'
 refuses 73 'optimize: nowhere/found.yaml: cannot be created: *' 'optimize goal.yaml -q -o nowhere/found.yaml'
 refuses 73 'optimize: nowhere/report.json: cannot be created: *' 'optimize goal.yaml -q --json nowhere/report.json'
 
+# The design is valid where it is written: names of files, and a constant of a silicone that the design only names.
+mkdir -p parts/profiles
+cp designs/extruded.yaml parts/pad.yaml && cp designs/profiles/pad.csv parts/profiles/
+sed -i '/^material:/,/kappa/d' parts/pad.yaml && echo 'material: dragon-skin-20' >>parts/pad.yaml
+goal 'vary: {material.c1: {from: 50 kPa, to: 90 kPa}}
+targets: [{rise: 1.6 mm, at: {pressure: 12 kPa}}]'
+sed -i 's|^design: .*|design: parts/pad.yaml|' goal.yaml
+runs 'optimize goal.yaml --starts 1 -q | mesh-gen -q | solve -q | postprocess -q --at pressure=12kPa -o curve.csv'
+claim "the target is reached" reaches rise_mm 1.592 1.608
+runs 'optimize goal.yaml --starts 1 -q -o parts/found.yaml'
+claim "beside its files the design names them as before" grep -q '^  profile: profiles/pad.csv$' parts/found.yaml
+
 # An interrupted search says how to continue, also without --folder; what it had tried is not computed again.
 goal 'vary: {geometry.wall: {from: 1.5 mm, to: 4 mm}, geometry.crest_radius: {from: 15 mm, to: 20 mm}}
 targets: [{elongation: 60 mm, at: {pressure: 20 kPa}}]
