@@ -15,6 +15,8 @@ namespace {
 constexpr double first_drag = 0.1, no_drag = 1e-9, too_large_drag = 1e6;
 constexpr double after_success = 0.3, after_failure = 5.0;
 constexpr int most_corrections = 200;
+/// Of the failed step, until a snap is found: a part of a prescribed motion may itself be longer than a correction may be.
+constexpr double parts_of_step[] = {1.0, 0.1, 0.01};
 /// Of the displacements: the largest motion in one correction.
 constexpr double longest = 0.01;
 /// Curvature from which on a fold is sharp: of a quantity over the length of the path, each relative to its value.
@@ -196,8 +198,13 @@ std::optional<State> settle(Corrector& corrector, const State& from, const Const
 std::optional<Snap> snap(Corrector& corrector, PathState& path, const Listeners& listeners, double step) {
     const Constraint held = held_constraint(corrector, path);
     const PathPoint& last = *path.last;
-    return snap_towards(corrector, path, listeners, held,
-                        controlled_value(held, last, 0.0) + control_slope(held, last) * step, farthest_snap);
+    const double start = controlled_value(held, last, 0.0), change = control_slope(held, last) * step;
+    for (const double part : parts_of_step) {
+        if (auto found = snap_towards(corrector, path, listeners, held, start + part * change, farthest_snap))
+            return found;
+        if (corrector.system().contact().has_friction()) break;  // which turns round within a small part of the step
+    }
+    return std::nullopt;
 }
 
 std::optional<Snap> snap_over(const PathPoint& beyond, Corrector& corrector, PathState& path,
