@@ -121,14 +121,16 @@ Settings<Gas> gas_settings() {
                "relation of absolute pressure and density: isothermal, proportional (the gas keeps the temperature "
                "of its surroundings: slow filling, also from a supply at that temperature), or adiabatic, to the "
                "power 1.4 (the gas in the cavity and the injected gas are compressed from the ambient state without "
-               "heat exchange: a closed valve in a rapid motion)")};
+               "heat exchange: rapid changes)")};
 }
 
 const Settings<PressureLoad>& pressure_settings() {
     static const Settings<PressureLoad> settings = [] {
         Settings<PressureLoad> all{
-            flag("sealed", &PressureLoad::sealed,
-                 "the pressure also pushes on the plugs of the openings and on every closed inner face"),
+            flag(
+                "sealed", &PressureLoad::sealed,
+                "the pressure also pushes on the plugs of the openings and on every closed inner face; imported: false "
+                "unless it is stated"),
             flag(
                 "plug_thrust", &PressureLoad::plug_thrust,
                 "the plugs of a sealed cavity transmit their force to the actuator; false: a fixture or the supply line "

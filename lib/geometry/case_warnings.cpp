@@ -6,6 +6,7 @@
 
 #include "core/text.hpp"
 #include "core/units.hpp"
+#include "math/vector.hpp"
 #include "mesh/disjoint_sets.hpp"
 #include "mesh/quality.hpp"
 #include "model/cavity_surface.hpp"
@@ -23,6 +24,8 @@ constexpr double min_ambient_Pa = 1e3, max_ambient_Pa = 10e6;
 constexpr double min_density_ratio = 0.05, max_density_ratio = 6.0;
 /// A balloon grows a thousandfold; a supply line contains at most a thousand times the volume of its actuator.
 constexpr double max_gas_ratio = 1e3;
+/// Of the extent of a rim: its distance from a plane, as of a bore in the side of a cylinder.
+constexpr double flat_rim = 0.05;
 /// Relative component of a direction; smaller values are rounding.
 constexpr double across = 1e-9;
 
@@ -148,15 +151,62 @@ void check_gas(const model::Case& built, Warnings& warnings) {
     }
 }
 
+/// Of a rim: its largest distance from a plane through its mean, and its extent [m].
+struct RimShape {
+    double off_plane = 0, extent = 0;
+};
+RimShape shape_of(const mesh::Mesh& mesh, const std::vector<model::RimEdge>& rim) {
+    Vector3 mean{}, area{};
+    for (const model::RimEdge& edge : rim)
+        mean = along(mean, 1.0 / static_cast<double>(rim.size()), mesh.point(edge[0]));
+    for (const model::RimEdge& edge : rim)
+        area = along(area, 1.0, cross(difference(mesh.point(edge[0]), mean), difference(mesh.point(edge[1]), mean)));
+    RimShape shape;
+    for (const model::RimEdge& edge : rim) {
+        const Vector3 from_mean = difference(mesh.point(edge[0]), mean);
+        shape.extent = std::max(shape.extent, 2 * norm(from_mean));
+        if (norm(area) > 0) shape.off_plane = std::max(shape.off_plane, std::abs(dot(from_mean, area)) / norm(area));
+    }
+    return shape;
+}
+
+/// The volume of a cavity is that up to a cone over each rim (surface/volume.hpp).
+void check_rims(const model::Case& built, Warnings& warnings) {
+    if (built.kinematics != model::Kinematics::solid) return;
+    for (const model::Cavity& cavity : built.cavities)
+        for (const auto& rim : model::rims(built, model::cavity_facets(built, cavity)))
+            if (const RimShape shape = shape_of(built.mesh, rim); shape.off_plane > flat_rim * shape.extent)
+                warnings.push_back(
+                    "geometry: the rim of " + cavity.name + " is up to " +
+                    core::quantity_text(shape.off_plane, core::Dimension::length) +
+                    " off a plane; the volume of the cavity is that up to a cone over the rim. If the file "
+                    "contains a part of the body that is cut at planes, set geometry.symmetry");
+}
+
 /// Checks drawn or imported shapes, whose faces the user names.
 void check_openings(const design::Design& design, const model::Case& built, Warnings& warnings) {
-    for (const char* key : {"geometry.profile", "geometry.file"})
-        for (const model::Cavity& cavity : built.cavities)
-            if (design.values.has(key) && cavity.openings.size() > 1)
-                warnings.push_back(
-                    std::string{key} + ": " + cavity.name + " has " + std::to_string(cavity.openings.size()) +
-                    " openings, which a sealed load plugs; if an opening is not an inlet, name the face there " +
-                    cavity.wall);
+    const auto is_loaded_and = [&](const model::Cavity& cavity, bool sealed) {
+        return std::ranges::any_of(built.loads, [&](const model::PressureLoad& load) {
+            return load.sealed == sealed && std::ranges::find(load.targets, cavity.name) != load.targets.end();
+        });
+    };
+    constexpr const char* sealed_key = "loads.cavity.sealed";
+    for (const char* key : {"geometry.profile", "geometry.file"}) {
+        if (!design.values.has(key)) continue;
+        for (const model::Cavity& cavity : built.cavities) {
+            const std::size_t count = cavity.openings.size();
+            if (count > 1)
+                warnings.push_back(std::string{key} + ": " + cavity.name + " has " + std::to_string(count) +
+                                   " openings, " +
+                                   (is_loaded_and(cavity, true) ? "which a sealed load plugs"
+                                                                : "on whose plugs no pressure acts (sealed: false)") +
+                                   "; if an opening is not an inlet, name the face there " + cavity.wall);
+            if (count == 1 && is_loaded_and(cavity, false) && !design.values.given(sealed_key))
+                warnings.push_back(std::string{sealed_key} +
+                                   ": false, the default of a file: no pressure acts on the plug of the opening; state "
+                                   "sealed: true or false");
+        }
+    }
 }
 
 /// Number of parts whose cells are connected by nodes.
@@ -191,6 +241,7 @@ std::vector<std::string> case_warnings(const design::Design& design, const model
     check_outputs(built, warnings);
     check_outside(built, warnings);
     check_openings(design, built, warnings);
+    check_rims(built, warnings);
     check_quality(built, warnings);
     check_gas(built, warnings);
     if (design.values.has("geometry.file"))

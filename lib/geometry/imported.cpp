@@ -202,6 +202,22 @@ std::vector<design::Key> surface_mesh_keys() {
     return {size, through_wall, grading};
 }
 
+/// The body is a part of the whole, held at the planes at which it is cut; their faces.
+std::vector<std::string> hold_cuts(Body& body, const design::Values& values) {
+    constexpr std::array<const char*, 3> cut_faces{meshing::symmetry_x_face, meshing::symmetry_y_face,
+                                                   meshing::symmetry_z_face};
+    body.symmetry_planes = cuts(values);
+    std::vector<std::string> faces;
+    for (std::size_t c = 0; c < 3; ++c) {
+        if (!body.symmetry_planes[c]) continue;
+        body.fraction /= 2;
+        faces.emplace_back(cut_faces[c]);
+        model::Support& support = body.supports.emplace_back(model::Support{cut_faces[c], {}});
+        support.fixed[c] = true;
+    }
+    return faces;
+}
+
 /// Generates the cells of a part. Closed cavities are detected automatically; the wall of a cavity is not part of `outer`.
 Body build_part(const design::Values& values) {
     const std::string &file = values.text(file_key), &unit = values.text("geometry.unit");
@@ -212,17 +228,7 @@ Body build_part(const design::Values& values) {
     ready.kinematics = kinematics_of(values, ready.mesh);
     meshing::name_pieces(ready.mesh);
     Body body;
-    body.symmetry_planes = cuts(values);
-    std::vector<std::string> not_outer;
-    constexpr std::array<const char*, 3> cut_faces{meshing::symmetry_x_face, meshing::symmetry_y_face,
-                                                   meshing::symmetry_z_face};
-    for (std::size_t c = 0; c < 3; ++c) {
-        if (!body.symmetry_planes[c]) continue;
-        body.fraction /= 2;
-        not_outer.emplace_back(cut_faces[c]);
-        model::Support& support = body.supports.emplace_back(model::Support{cut_faces[c], {}});
-        support.fixed[c] = true;
-    }
+    std::vector<std::string> not_outer = hold_cuts(body, values);
     body.cavities = add_cavities(ready.mesh, values, ready.kinematics, part.cavities, body.symmetry_planes);
     for (const model::Cavity& cavity : body.cavities) not_outer.push_back(cavity.wall);
     for (const std::string& name : not_outer) {
@@ -238,7 +244,7 @@ Body build_part(const design::Values& values) {
 
 void refuse_part_keys(const design::Values& values) {
     static const std::map<std::string, std::string> defaults = [] {  // templates state these keys
-        std::map<std::string, std::string> all{{"geometry.symmetry", "none"}, {"mesh.quality", "normal"}};
+        std::map<std::string, std::string> all{{"mesh.quality", "normal"}};
         for (const design::Key& key : surface_mesh_keys()) all[key.path] = key.fallback;
         return all;
     }();
@@ -264,7 +270,12 @@ Body build(const design::Values& values) {
     Body body;
     if (ready.kinematics == Kinematics::axisymmetric && ready.mesh.facet_sets.contains(meshing::axis_face))
         body.supports = {{meshing::axis_face, {false, true, false}}};
-    body.cavities = add_cavities(ready.mesh, values, ready.kinematics);
+    if (values.text("geometry.symmetry") != "none" && ready.kinematics != Kinematics::solid)
+        throw values.refuse("geometry.symmetry", "applies to solids, and the file contains a plane mesh",
+                            "support the plane, as {x: face}");
+    name_cuts(ready.mesh, values);
+    hold_cuts(body, values);
+    body.cavities = add_cavities(ready.mesh, values, ready.kinematics, {}, body.symmetry_planes);
     ready.mesh = with_requested_order(std::move(ready.mesh), values);
     body.sweep = std::move(ready);
     return body;
@@ -289,7 +300,7 @@ std::vector<design::Key> geometry_keys() {
          .kind = Kind::choice,
          .fallback = "none",
          .meaning =
-             "for surfaces: the planes x, y, z = 0 at which the part in the file is cut; its faces are named by the key faces: {name: "
+             "the planes x, y, z = 0 at which the solid in the file is cut; faces of a surface are named by the key faces: {name: "
              "{plane: {x: 0 mm} | box: {from: [x, y, z], to: ..} | normal: [x, y, z] | point: [x, y, z], up_to: faces}}",
          .choices = {"none", "x", "y", "z", "xy", "xz", "yz", "xyz"}}};
 }

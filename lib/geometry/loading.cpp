@@ -43,10 +43,10 @@ void add_pressures(model::Case& result, const design::Design& design, const Mesh
     for (std::size_t i = 0; i < result.loads.size(); ++i)
         for (const std::string& target : result.loads[i].targets) {
             if (std::ranges::find(result.cavities, target, &model::Cavity::name) != result.cavities.end()) continue;
-            if (has_gas(design, i))
-                throw Error(ExitCode::bad_input, "loads." + target, "the case has no such cavity",
-                            "rebuild the case with mesh-gen");
             require_face(meshed, target, "loads." + target);
+            if (has_gas(design, i))
+                throw Error(ExitCode::bad_input, "loads." + target, "is no cavity of this model, and has no volume",
+                            "prescribe its pressure");
         }
 }
 

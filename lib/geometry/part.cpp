@@ -1,6 +1,8 @@
 #include "geometry/part.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <map>
 #include <numbers>
 
@@ -51,14 +53,16 @@ meshing::FaceRule rule_of(const design::Values& values, const std::string& name)
     return rule;
 }
 
+/// Of the extent of a part: distance from a plane within which a point lies on it.
+constexpr double rounding = 1e-6;
+
 /// A part with a symmetry plane must lie on one side of it.
-void refuse_crossing(const meshing::BodySurface& surface, const std::array<bool, 3>& cut,
+void refuse_crossing(const std::vector<mesh::Point>& points, double extent_m, const std::array<bool, 3>& cut,
                      const design::Values& values) {
-    constexpr double rounding = 1e-6;
     for (std::size_t c = 0; c < 3; ++c) {
         if (!cut[c]) continue;
-        const auto [low, high] = std::ranges::minmax(surface.points, {}, [c](const mesh::Point& p) { return p[c]; });
-        if (std::min(-low[c], high[c]) > rounding * surface.extent_m())
+        const auto [low, high] = std::ranges::minmax(points, {}, [c](const mesh::Point& p) { return p[c]; });
+        if (std::min(-low[c], high[c]) > rounding * extent_m)
             throw values.refuse(symmetry_key,
                                 std::string{"the part extends from "} + "xyz"[c] + " = " + length_text(low[c]) +
                                     " to " + length_text(high[c]) + " and is not cut at 0",
@@ -123,10 +127,37 @@ std::array<bool, 3> cuts(const design::Values& values) {
     return cut;
 }
 
+void name_cuts(mesh::Mesh& mesh, const design::Values& values) {
+    const std::array<bool, 3> cut = cuts(values);
+    const double extent_m = mesh::extent_m(mesh);
+    refuse_crossing(mesh.points, extent_m, cut, values);
+    const std::vector<mesh::Facet> boundary = boundary_facets(mesh);
+    for (std::size_t c = 0; c < 3; ++c) {
+        if (!cut[c]) continue;
+        std::vector<mesh::Facet> facets;
+        std::ranges::copy_if(boundary, std::back_inserter(facets), [&](const mesh::Facet& facet) {
+            return std::ranges::all_of(facet_nodes(mesh, facet), [&](mesh::Index node) {
+                return std::abs(mesh.point(node)[c]) <= rounding * extent_m;
+            });
+        });
+        const std::string plane = std::string{"xyz"[c]} + " = 0";
+        if (facets.empty())
+            throw values.refuse(symmetry_key, "no facet of the mesh lies in the plane " + plane,
+                                "cut the mesh there, or remove this plane");
+        const auto own = mesh.facet_sets.find(symmetry_faces[c]);
+        if (own != mesh.facet_sets.end() && own->second != facets)
+            throw values.refuse("geometry.file",
+                                "its face " + core::quoted(symmetry_faces[c]) + " is not all of the plane " + plane,
+                                "rename the face");
+        mesh.facet_sets[symmetry_faces[c]] = std::move(facets);
+    }
+    put_on_planes(mesh, cut);
+}
+
 MeshedPart mesh_part(const meshing::Part& part, const design::Values& values) {
     MeshedPart result;
     const std::array<bool, 3> cut = cuts(values);
-    refuse_crossing(part.surface, cut, values);
+    refuse_crossing(part.surface.points, part.surface.extent_m(), cut, values);
     const std::vector<meshing::Wall> walls = meshing::walls(part.surface.points, part.surface.triangles);
     result.figures = {part.origin.name, part.surface.triangles.size(), part.surface.volume_m3(),
                       walls.empty() ? meshing::WallStatistics{} : meshing::wall_statistics(walls),

@@ -23,8 +23,12 @@ struct PartFigures {
 /// The rules below geometry.faces of the design. Throws values.refuse(...) for invalid rules.
 [[nodiscard]] std::vector<meshing::FaceRule> face_rules(const design::Values& values);
 
-/// geometry.symmetry: the planes x, y, z = 0 at which the part of the file is cut.
+/// geometry.symmetry: the planes x, y, z = 0 at which the part or mesh of the file is cut.
 [[nodiscard]] std::array<bool, 3> cuts(const design::Values& values);
+
+/// Names the facets of a mesh file in these planes symmetry_x_face, ... and moves their nodes onto the plane. Throws values.refuse(...) for a
+/// plane that has none, or that the mesh crosses.
+void name_cuts(mesh::Mesh& mesh, const design::Values& values);
 
 /// The mesh of a part with its faces as facet sets. Cuts are separate faces (symmetry_x_face, ...), whose nodes lie exactly on the
 /// plane. Throws values.refuse(...) for faces without a facet.

@@ -162,7 +162,7 @@ private:
             if (std::abs(p[2] - z) > tolerance)
                 refuse(
                     "the mesh has no cells of dimension 3, and those of dimension 2 do not lie in one plane z = constant",
-                    "mesh the volume, or draw the section in the x-y plane");
+                    "mesh the volume (and name it as a physical group), or draw the section in the x-y plane");
             p[2] = 0;
         }
     }

@@ -44,7 +44,8 @@ std::string EnergyBalance::problem() const {
     if (moves_)
         return what + ", " + mJ(worst_.kinetic_J) + " are kinetic and " + mJ(worst_.dissipated_J) +
                " are dissipated by damping and friction" + off +
-               "; use a smaller dynamics.accuracy or dynamics.step, or a spectral_radius near 1 for less damping";
+               "; use a smaller dynamics.accuracy or dynamics.step (with generalized-alpha or hht also a "
+               "spectral_radius nearer to 1, for less damping)";
     const std::string lost = worst_.dissipated_J > 0
                                  ? ", " + mJ(worst_.dissipated_J) + " are set free by snaps or dissipated by friction"
                                  : "";

@@ -12,7 +12,6 @@
 #include "solver/kink.hpp"
 #include "solver/path_end.hpp"
 #include "solver/path_follower.hpp"
-#include "solver/path_text.hpp"
 #include "solver/row_state.hpp"
 #include "solver/snap.hpp"
 #include "solver/stages.hpp"
@@ -93,7 +92,7 @@ void PathFollower::start() {
     system_.contact().set_resting(!system_.contact().has_friction() && !system_.has_initial_stress() &&
                                   !system_.contact().touches(system_.make_vector()));
     set_stage(0, unloaded(input_, path_.undeformed_volumes_m3), corrector_, path_);
-    if (!path_.loads->changes())
+    if (!path_.loads->changes() && input_.path.stages.size() == 1)
         throw Error(ExitCode::bad_input, "loads", "no load acts on the body", "set loads.cavity.pressure");
     State state{system_.make_vector(), 0.0, std::vector(path_.loads->free_supplies().size(), 0.0)};
     if (system_.has_initial_stress()) {  // row 0 is the unloaded equilibrium, not the undeformed state
@@ -103,6 +102,7 @@ void PathFollower::start() {
     }
     begin(std::move(state));
     recorder_.append(path_, *path_.last);
+    pass_hold();
 }
 
 /// One step of the path: predict, correct, check; events; record; adapt.
@@ -364,6 +364,10 @@ void PathFollower::end_stage(const std::string& text) {
     listeners_.report("stage " + stage_of(input_, path_).name + " ends: " + text + " reached at " +
                       describe(*path_.last));
     begin(next_stage(corrector_, path_));
+    pass_hold();
+}
+
+void PathFollower::pass_hold() {
     if (path_.finished || path_.loads->changes()) return;
     path_.last->state.load_factor = 1.0;  // nothing changes: the same state again, without a direction
     path_.last->tangent.load_factor = 0.0;
@@ -383,12 +387,6 @@ void PathFollower::finish(Stop stop) {
     path_.end.reason = stop.reason;
     path_.end.detail = std::move(stop.detail);
     path_.finished = true;
-}
-
-std::string PathFollower::describe(const PathPoint& point) const { return state_text(point, input_); }
-
-void PathFollower::report_row(const std::string& text) const {
-    listeners_.report("row " + std::to_string(path_.rows) + ": " + text);
 }
 
 model::PathEnd follow_path(fem::System& system, const Listeners& listeners, const model::Checkpoint* from,

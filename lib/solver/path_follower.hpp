@@ -11,6 +11,7 @@
 /// What a new row changes besides the output (the internal variables of materials, the state of a contact) belongs in commit(); what is
 /// computed at a row (sensitivities) in Recorder::append; new kinds of events in events_before() (first contact: step()).
 #include "solver/events.hpp"
+#include "solver/path_text.hpp"
 #include "solver/recorder.hpp"
 
 namespace soft::solver {
@@ -45,10 +46,14 @@ private:
     void go_on_from(PathPoint point, const Goal* goal, const std::string& how, const std::string& what = {});
     void begin(State state);
     void end_stage(const std::string& text);
+    /// Ends a stage in which nothing changes with the state at its start.
+    void pass_hold();
     void change_control(const ControlChange& change);
     void finish(Stop stop);
-    [[nodiscard]] std::string describe(const PathPoint& point) const;
-    void report_row(const std::string& text) const;
+    [[nodiscard]] std::string describe(const PathPoint& point) const { return state_text(point, input_); }
+    void report_row(const std::string& text) const {
+        listeners_.report("row " + std::to_string(path_.rows) + ": " + text);
+    }
 
     fem::System& system_;
     const model::Case& input_;

@@ -266,7 +266,7 @@ void Sensitivities::move_to_goal(const Goal& goal, const PathPoint& point, const
 }
 
 void Sensitivities::evaluate(Corrector& corrector, const PathState& path, const PathPoint& point, model::Step& step) {
-    if (!path.loads->changes()) {  // the same state again
+    if (!path.loads->changes() && !last_.empty()) {  // the same state again
         step.derivatives = last_;
         return;
     }

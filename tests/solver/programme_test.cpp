@@ -48,6 +48,21 @@ TEST(Programme, TheSameLoadsGiveTheSameStateInAnyOrder) {
     EXPECT_NEAR(back.steps.back().outputs[0], 0.0, 1e-9 * 0.01);
 }
 
+TEST(Programme, AHoldMayBeTheFirstStage) {
+    auto input = loaded_block();
+    const auto without = run(input);
+    auto hold = full_load(input, {0.0});
+    hold.dead_loads.assign(input.dead_loads.size(), 0.0);
+    input.path.stages.insert(input.path.stages.begin(), hold);
+    const auto with = run(input);
+    ASSERT_EQ(with.end.reason, StopReason::done);
+    ASSERT_EQ(with.steps.size(), without.steps.size() + 1);  // the undeformed state twice
+    EXPECT_EQ(with.steps[1].outputs, without.steps[0].outputs);
+    EXPECT_EQ(with.steps.back().outputs, without.steps.back().outputs);
+    input.path.stages = {hold};
+    EXPECT_THROW(static_cast<void>(run(input)), Error);
+}
+
 TEST(Programme, EachStageHasItsNumberOfSteps) {
     auto input = loaded_block();
     auto more = full_load(input, {2e4});
