@@ -46,7 +46,7 @@ void add_pressures(model::Case& result, const design::Design& design, const Mesh
             require_face(meshed, target, "loads." + target);
             if (has_gas(design, i))
                 throw Error(ExitCode::bad_input, "loads." + target, "is no cavity of this model, and has no volume",
-                            "prescribe its pressure");
+                            "prescribe its pressure, or rebuild the case with mesh-gen");
         }
 }
 

@@ -94,8 +94,10 @@ TEST(Rebuild, RejectsAMeshThatDoesNotFitTheDesign) {
     other.model.mesh.facet_sets.at("inlet").clear();
     EXPECT_NE(refusal(other, design, {}).find("the face 'inlet' is empty"), std::string::npos);
     built.shape.cavities.clear();
-    EXPECT_EQ(refusal(built, design, {{"path.control", "auto"}, {"loads.cavity", "{volume_ratio: 2}"}}),
-              "loads.cavity: the case has no such cavity; rebuild the case with mesh-gen");
+    EXPECT_EQ(
+        refusal(built, design, {{"path.control", "auto"}, {"loads.cavity", "{volume_ratio: 2}"}}),
+        "loads.cavity: is no cavity of this model, and has no volume; prescribe its pressure, or rebuild the case with "
+        "mesh-gen");
 }
 
 TEST(Rebuild, DoesNotReadTheFileOfAnImportedShape) {
