@@ -90,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(
             std::string{head} +
                 "$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0.1\n$EndNodes\n$Elements\n1\n1 2 2 0 1 1 2 3\n$EndElements\n",
             ": the mesh has no cells of dimension 3, and those of dimension 2 do not lie in one plane z = constant; mesh the "
-            "volume, or draw the section in the x-y plane"},
+            "volume (and name it as a physical group), or draw the section in the x-y plane"},
         Fault{"names",
               "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n1 1 \"a b\"\n1 2 \"a.b\"\n$EndPhysicalNames\n" +
                   std::string{nodes} + "$Elements\n2\n11 3 2 0 1 1 2 5 4\n12 1 2 1 1 1 2\n$EndElements\n",
