@@ -114,8 +114,8 @@ Outputs::ContactMeasure Outputs::make_contact(const model::Output& output) const
     const auto& obstacles = fe_.input.obstacles;
     const auto known = std::ranges::find(obstacles, output.obstacle, &model::Obstacle::name);
     ContactMeasure made{output.measure, static_cast<std::size_t>(known - obstacles.begin()), output.direction};
-    for (std::size_t i = 0; i < 3; ++i)
-        if (fe_.input.symmetry_planes[i]) made.direction[i] = 0;
+    for (std::size_t i = 0; i < 3; ++i)  // across a symmetry plane: on one of the obstacle and its image
+        if (fe_.input.symmetry_planes[i]) made.direction[i] *= 0.5;
     return made;
 }
 

@@ -275,7 +275,7 @@ void add_outputs(model::Case& result, const design::Design& design, const Meshed
     for (const auto& request : design.outputs) {
         const std::string location = "outputs." + request.name;
         if (!request.obstacle.empty()) {
-            result.outputs.push_back(contact_output(request, meshed, design.values));
+            result.outputs.push_back(contact_output(request, meshed, result, design.values));
             continue;
         }
         if (!request.point_m.empty()) {

@@ -39,9 +39,10 @@ struct DirectionRequest {
 [[nodiscard]] bool is_obstacle(const model::Case& result, const std::string& name);
 /// Every component is prescribed.
 [[nodiscard]] model::Motion obstacle_motion(const design::Design::MotionRequest& request, const Meshed& meshed);
-/// An output of an obstacle or of self-contact. Throws for a force that the mirror image at a symmetry plane cancels.
+/// An output of an obstacle or of self-contact. A force across a symmetry plane is that on one of the obstacle and its mirror image; throws
+/// where both are one.
 [[nodiscard]] model::Output contact_output(const design::Design::OutputRequest& request, const Meshed& meshed,
-                                           const design::Values& values);
+                                           const model::Case& result, const design::Values& values);
 
 /// Adds pressures, tractions, forces, gravity and prescribed motions. Call it after supports and cavities are set. Throws for weight
 /// and forces that a symmetry plane would mirror, and for a component that is prescribed twice at a node.

@@ -279,8 +279,10 @@ TEST(ContactForce, ThatAMirrorImageCancelsIsRefused) {
     const model::Output output = built(rod() + plane + force + "z}}\n").model.outputs.at(0);
     EXPECT_EQ(output.obstacle, "thing");
     EXPECT_EQ(output.direction, (Vector3{0, 0, 1}));
-    const std::string above = obstacle("plane: {point: [0 mm, 0 mm, 8 mm], normal: [0, 0, -1]}");
-    expect_words(refused(rod("quarter") + above + force + "z}}\n"),
+    const std::string above = obstacle("plane: {point: [0 mm, 0 mm, 8 mm], normal: [0, 0, -1]}"),
+                      before = obstacle("plane: {point: [52 mm, 0 mm, 0 mm], normal: [-1, 0, 0]}");
+    EXPECT_EQ(built(rod("quarter") + above + force + "z}}\n").model.outputs.at(0).direction, (Vector3{0, 0, 1}));
+    expect_words(refused(rod("quarter") + before + force + "z}}\n"),
                  {"outputs.push.along: the force on the mirror image at z = 0 cancels it"});
 }
 
