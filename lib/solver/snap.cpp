@@ -199,6 +199,7 @@ std::optional<Snap> snap(Corrector& corrector, PathState& path, const Listeners&
     const Constraint held = held_constraint(corrector, path);
     const PathPoint& last = *path.last;
     const double start = controlled_value(held, last, 0.0), change = control_slope(held, last) * step;
+    if (change == 0.0) return std::nullopt;
     for (const double part : parts_of_step) {
         if (auto found = snap_towards(corrector, path, listeners, held, start + part * change, farthest_snap))
             return found;

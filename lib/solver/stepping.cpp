@@ -130,13 +130,14 @@ PredictorError error_of(const fem::System& system, const PathState& path, const 
     const double error = distance(aim.forecast.x, point.state.x), change = distance(point.state.x, path.last->state.x);
     const bool in_time = stage_of(system.input(), path).time_s.has_value();
     const double own_size = linalg::norm(point.state.x), size = in_time ? std::max(own_size, path.size) : own_size;
+    const bool in_contact = point.touches || path.last->touches;  // also where it opens
     const double at_rest =
-        point.touches ? norm_of_motion(system, min_size_in_contact * mesh::extent_m(system.input().mesh)) : 0.0;
+        in_contact ? norm_of_motion(system, min_size_in_contact * mesh::extent_m(system.input().mesh)) : 0.0;
     const double negligible = negligible_error * settings.step_accuracy;
     const bool is_prescribed = path.control.kind == ConstraintKind::load_factor;
-    const double min_step = !may_have_kinks(system, point)    ? 0.0
-                            : point.touches || !is_prescribed ? min_kinked_step
-                                                              : min_fibre_step;
+    const double min_step = !in_contact && !system.has_kinks() ? 0.0
+                            : in_contact || !is_prescribed     ? min_kinked_step
+                                                               : min_fibre_step;
     const double step =
         std::max(change, (in_time ? std::max(min_step, min_step_in_time) : min_step) * std::max(size, at_rest));
     const double load = std::abs(point.leading);

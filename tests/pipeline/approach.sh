@@ -178,3 +178,20 @@ END
 runs "mesh-gen -q designs/verification/contact-sleeve.yaml --set 'obstacles={sleeve: {profile: shell.csv}}' | solve -q | postprocess -q -o held.csv"
 claim "a shell of 0.05 mm holds a ring" within "$(column bore_mm held.csv | tail -n 1)" 2.975 2.991
 claim "... which presses on all of it, 2 pi 15 mm per 1 m" within "$(column touching_mm2 held.csv | tail -n 1)" 94000 94500
+
+# A ring that is pressed and released: where the contact opens the ring is at rest, and the rest of the way moves the plane alone.
+cat >released.yaml <<'END'
+family: ring
+geometry: {inner_radius: 5 mm, outer_radius: 6 mm}
+material: {law: neo-hookean, mu: 0.25 MPa}
+obstacles: {jaw: {plane: {point: [0 mm, 6.05 mm, 0 mm], normal: [0, -1, 0]}}}
+loads: {jaw: {displacement: -3.3 mm, along: y}}
+path: {stages: {close: {loads: {jaw: {displacement: -3.3 mm}}}, open: {loads: {jaw: {displacement: 0 mm}}}}}
+outputs: {way: {obstacle: jaw, measure: displacement, along: y}, grip: {obstacle: jaw, measure: force, along: y}}
+END
+for case in '0.29 mm, 3.3 mm' '0.29 mm, 4.1 mm' '0.4 mm, 3.8 mm'; do
+    size=${case%,*} depth=${case#*, }
+    runs "mesh-gen -q released.yaml --set 'mesh.size=$size' --set 'loads.jaw.displacement=-$depth' --set 'path.stages.close.loads.jaw.displacement=-$depth' | solve -q | postprocess -q -o released.csv"
+    claim "a ring pressed by $depth is released (cells of $size)" [ "$(column way_mm released.csv | tail -n 1)" = 0 ]
+    claim "... without a force" [ "$(column grip_N released.csv | tail -n 1)" = 0 ]
+done
