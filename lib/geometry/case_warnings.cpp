@@ -201,7 +201,9 @@ void check_openings(const design::Design& design, const model::Case& built, Warn
                                    (is_loaded_and(cavity, true) ? "which a sealed load plugs"
                                                                 : "on whose plugs no pressure acts (sealed: false)") +
                                    "; if an opening is not an inlet, name the face there " + cavity.wall);
-            if (count == 1 && is_loaded_and(cavity, false) && !design.values.given(sealed_key))
+            const bool is_default =
+                cavity.name == "cavity" && design.values.has(sealed_key) && !design.values.given(sealed_key);
+            if (count == 1 && is_loaded_and(cavity, false) && is_default)
                 warnings.push_back(std::string{sealed_key} +
                                    ": false, the default of a file: no pressure acts on the plug of the opening; state "
                                    "sealed: true or false");

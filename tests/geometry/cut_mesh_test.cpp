@@ -45,11 +45,11 @@ void write_octant(const std::filesystem::path& path, double corner_mm) {
     file << "$EndElements\n";
 }
 
-design::Design octant(const TemporaryFile& file, const std::string& symmetry) {
+design::Design octant(const TemporaryFile& file, const std::string& symmetry, const std::string& sealed = {}) {
     return design::read_design("family: imported\ngeometry: {file: " + file.path.string() +
                                    ", cavity: wall, symmetry: " + symmetry +
                                    "}\nmaterial: {law: neo-hookean, mu: 0.1 MPa, kappa: incompressible}\n" +
-                                   "mesh: {order: 2}\nloads: {cavity: {pressure: 1 kPa}}\n",
+                                   "mesh: {order: 2}\nloads: {cavity: {pressure: 1 kPa" + sealed + "}}\n",
                                "octant.yaml", catalogue_keys(), {});
 }
 
@@ -82,6 +82,8 @@ TEST(CutMesh, WithoutItsPlanesIsReported) {
     ASSERT_EQ(warnings.size(), 2u);  // also the opening that is not sealed
     EXPECT_EQ(warnings[1].substr(0, 67),
               "geometry: the rim of cavity is up to 288.675 um off a plane; the vo");  // 0.5/sqrt 3
+    const design::Design stated = octant(file, "none", ", sealed: false");
+    EXPECT_EQ(case_warnings(stated, build_case(stated)).size(), 1u);
 }
 
 TEST(CutMesh, RefusesPlanesAtWhichTheMeshIsNotCut) {
