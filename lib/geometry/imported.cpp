@@ -204,15 +204,13 @@ std::vector<design::Key> surface_mesh_keys() {
 
 /// The body is a part of the whole, held at the planes at which it is cut; their faces.
 std::vector<std::string> hold_cuts(Body& body, const design::Values& values) {
-    constexpr std::array<const char*, 3> cut_faces{meshing::symmetry_x_face, meshing::symmetry_y_face,
-                                                   meshing::symmetry_z_face};
     body.symmetry_planes = cuts(values);
     std::vector<std::string> faces;
     for (std::size_t c = 0; c < 3; ++c) {
         if (!body.symmetry_planes[c]) continue;
         body.fraction /= 2;
-        faces.emplace_back(cut_faces[c]);
-        model::Support& support = body.supports.emplace_back(model::Support{cut_faces[c], {}});
+        faces.emplace_back(symmetry_faces[c]);
+        model::Support& support = body.supports.emplace_back(model::Support{symmetry_faces[c], {}});
         support.fixed[c] = true;
     }
     return faces;

@@ -10,15 +10,12 @@
 #include "geometry/cell_size.hpp"
 #include "geometry/keys.hpp"
 #include "meshing/body_mesher.hpp"
-#include "meshing/section.hpp"
 
 namespace soft::geometry {
 namespace {
 
 constexpr const char* rules_group = "geometry.faces";
 constexpr const char* symmetry_key = "geometry.symmetry";
-constexpr std::array<const char*, 3> symmetry_faces{meshing::symmetry_x_face, meshing::symmetry_y_face,
-                                                    meshing::symmetry_z_face};
 
 meshing::FaceRule rule_of(const design::Values& values, const std::string& name) {
     constexpr double usual_within_rad = 10 * std::numbers::pi / 180;

@@ -5,6 +5,7 @@
 #include "meshing/body_walls.hpp"
 #include "meshing/named_faces.hpp"
 #include "meshing/part_file.hpp"
+#include "meshing/section.hpp"
 
 namespace soft::geometry {
 
@@ -16,6 +17,10 @@ struct PartFigures {
     meshing::WallStatistics walls;
     std::vector<std::string> repairs;
 };
+
+/// Faces at the planes x, y, z = 0 at which a part is cut.
+inline constexpr std::array<const char*, 3> symmetry_faces{meshing::symmetry_x_face, meshing::symmetry_y_face,
+                                                           meshing::symmetry_z_face};
 
 /// Length of a choice of geometry.unit [m]. Throws Error(usage) for another word.
 [[nodiscard]] double file_unit_m(const std::string& unit);
