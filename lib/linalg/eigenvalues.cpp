@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "linalg/linear_solver.hpp"
@@ -32,24 +33,48 @@ void start_slepc() {
     if (started == PETSC_FALSE) SOFT_PETSC(SlepcInitializeNoArguments());
 }
 
-/// All converged eigenvalues in ascending order; empty where the method or its linear solver fails.
-std::vector<double> solve(EPS eps, PetscInt wanted) {
+/// Krylov-Schur with shift-and-invert at 0 by the solver.
+EigenSolver make_eigen_solver(Mat K, Mat M, EPSProblemType problem, const LinearSolver& solver) {
+    start_slepc();
+    EigenSolver eps;
+    SOFT_PETSC(EPSCreate(PetscObjectComm(reinterpret_cast<PetscObject>(K)), eps.out()));
+    SOFT_PETSC(EPSSetOperators(eps, K, M));
+    SOFT_PETSC(EPSSetProblemType(eps, problem));
+    SOFT_PETSC(EPSSetType(eps, EPSKRYLOVSCHUR));
+    SOFT_PETSC(EPSSetWhichEigenpairs(eps, EPS_TARGET_MAGNITUDE));
+    SOFT_PETSC(EPSSetTarget(eps, 0.0));
+    SOFT_PETSC(EPSSetTolerances(eps, eigenvalue_tolerance, PETSC_DEFAULT));
+    ST inverse = nullptr;
+    SOFT_PETSC(EPSGetST(eps, &inverse));
+    SOFT_PETSC(STSetType(inverse, STSINVERT));
+    SOFT_PETSC(STSetKSP(inverse, solver.ksp()));
+    SOFT_PETSC(EPSSetFromOptions(eps));
+    return eps;
+}
+
+PetscInt number_of_eigenvalues(Mat K, PetscInt constraints) {
+    PetscInt size = 0;
+    SOFT_PETSC(MatGetSize(K, &size, nullptr));
+    return std::min(size - constraints, max_pairs);
+}
+
+/// All converged eigenvalues; empty where the method or its linear solver fails.
+std::vector<std::complex<double>> solve(EPS eps, PetscInt wanted) {
     SOFT_PETSC(EPSSetDimensions(eps, wanted, PETSC_DEFAULT, PETSC_DEFAULT));
     const PetscErrorCode code = EPSSolve(eps);
     if (code == PETSC_ERR_NOT_CONVERGED) return {};
     check(code, "EPSSolve(eps)");
     PetscInt converged = 0;
     SOFT_PETSC(EPSGetConverged(eps, &converged));
-    std::vector<double> eigenvalues;
+    std::vector<std::complex<double>> eigenvalues;
+    double smallest = std::numeric_limits<double>::infinity();
     for (PetscInt i = 0; i < converged; ++i) {
-        double value = 0;
-        SOFT_PETSC(EPSGetEigenvalue(eps, i, &value, nullptr));
-        eigenvalues.push_back(value);
+        double real = 0, imaginary = 0;
+        SOFT_PETSC(EPSGetEigenvalue(eps, i, &real, &imaginary));
+        eigenvalues.emplace_back(real, imaginary);
+        smallest = std::min(smallest, std::abs(eigenvalues.back()));
     }
-    const auto size = [](double value) { return std::abs(value); };
-    const double smallest = eigenvalues.empty() ? 0.0 : size(*std::ranges::min_element(eigenvalues, {}, size));
-    std::erase_if(eigenvalues, [&](double value) { return !(size(value) <= infinite * smallest); });
-    std::ranges::sort(eigenvalues);
+    std::erase_if(eigenvalues, [&](const auto& value) { return !(std::abs(value) <= infinite * smallest); });
     return eigenvalues;
 }
 
@@ -66,26 +91,13 @@ std::optional<PetscInt> count_below(Mat K, Mat M, double shift, PetscInt constra
 }  // namespace
 
 std::vector<double> lowest_eigenvalues(Mat K, Mat M, PetscInt count, PetscInt constraints) {
-    start_slepc();
     LinearSolver solver(K, Symmetry::symmetric, {.method = LinearMethod::mumps_ldlt, .tolerance = inverse_tolerance});
-    EigenSolver eps;
-    SOFT_PETSC(EPSCreate(PetscObjectComm(reinterpret_cast<PetscObject>(K)), eps.out()));
-    SOFT_PETSC(EPSSetOperators(eps, K, M));
-    SOFT_PETSC(EPSSetProblemType(eps, EPS_GHEP));
-    SOFT_PETSC(EPSSetType(eps, EPSKRYLOVSCHUR));
-    SOFT_PETSC(EPSSetWhichEigenpairs(eps, EPS_TARGET_MAGNITUDE));
-    SOFT_PETSC(EPSSetTarget(eps, 0.0));
-    SOFT_PETSC(EPSSetTolerances(eps, eigenvalue_tolerance, PETSC_DEFAULT));
-    ST inverse = nullptr;
-    SOFT_PETSC(EPSGetST(eps, &inverse));
-    SOFT_PETSC(STSetType(inverse, STSINVERT));
-    SOFT_PETSC(STSetKSP(inverse, solver.ksp()));
-    SOFT_PETSC(EPSSetFromOptions(eps));
-    PetscInt size = 0;
-    SOFT_PETSC(MatGetSize(K, &size, nullptr));
-    const PetscInt last = std::min(size - constraints, max_pairs);
+    const EigenSolver eps = make_eigen_solver(K, M, EPS_GHEP, solver);
+    const PetscInt last = number_of_eigenvalues(K, constraints);
     for (PetscInt wanted = count;; wanted = std::min(2 * wanted, last)) {
-        std::vector<double> found = solve(eps, wanted);
+        std::vector<double> found;
+        for (const auto& value : solve(eps, wanted)) found.push_back(value.real());
+        std::ranges::sort(found);
         if (static_cast<PetscInt>(found.size()) < count) return {};
         const double largest = std::max(std::abs(found.front()), std::abs(found.back()));
         const double shift = found[static_cast<std::size_t>(count) - 1] - shift_gap * largest;
@@ -96,6 +108,12 @@ std::vector<double> lowest_eigenvalues(Mat K, Mat M, PetscInt count, PetscInt co
         }
         if (wanted >= last) return {};
     }
+}
+
+std::vector<std::complex<double>> nearest_eigenvalues(Mat K, Mat M, PetscInt count, PetscInt constraints) {
+    LinearSolver solver(K, Symmetry::general, {.method = LinearMethod::mumps_lu, .tolerance = inverse_tolerance});
+    const EigenSolver eps = make_eigen_solver(K, M, EPS_GNHEP, solver);
+    return solve(eps, std::min(count, number_of_eigenvalues(K, constraints)));
 }
 
 }  // namespace soft::linalg

@@ -4,6 +4,8 @@
 /// eigenvalue, and the pairs nearest to 0 may not include a far negative one: the result is checked by Sylvester's law of inertia, which
 /// gives the number of eigenvalues below a shift, and the search is repeated with more pairs where it does not agree.
 /// Tested by linalg/eigenvalues_test, solver/natural_frequencies_test.
+#include <complex>
+
 #include "linalg/petsc.hpp"
 
 namespace soft::linalg {
@@ -12,5 +14,8 @@ namespace soft::linalg {
 /// pattern of K; zero in the rows of `constraints` unknowns (pressures), each of which contributes one negative pivot to K. `count` is at
 /// most the number of the other unknowns. Empty if the method does not converge. Collective, the same result on every rank.
 [[nodiscard]] std::vector<double> lowest_eigenvalues(Mat K, Mat M, PetscInt count, PetscInt constraints);
+
+/// Of an unsymmetric K: eigenvalues nearest to 0, `count` or more, with LU by MUMPS. Complex ones come with their conjugates.
+[[nodiscard]] std::vector<std::complex<double>> nearest_eigenvalues(Mat K, Mat M, PetscInt count, PetscInt constraints);
 
 }  // namespace soft::linalg

@@ -144,6 +144,10 @@ std::optional<Event> first_contact_before(const PathPoint& to, Corrector& correc
     return std::nullopt;
 }
 
+bool is_beside(const Event& contact, const PathPoint& point, double step) {
+    return std::abs(contact.point.q - point.q) <= std::ldexp(std::abs(step), -first_contact_halvings);
+}
+
 Event first_contact_at(PathPoint point, Corrector& corrector, const PathState& path) {
     const contact::Summary touch = contact_at(corrector, path, point.state);
     return {Event::Kind::first_contact, std::move(point), 0, {}, touch.touched, *touch.location};

@@ -49,6 +49,9 @@ struct Events {
 [[nodiscard]] std::optional<Event> first_contact_before(const PathPoint& to, Corrector& corrector,
                                                         const PathState& path, WithContact solved);
 
+/// Whether contact begins at a state of the same step, to the accuracy with which it is located.
+[[nodiscard]] bool is_beside(const Event& contact, const PathPoint& point, double step);
+
 /// A point that touches, as the event of a first contact.
 [[nodiscard]] Event first_contact_at(PathPoint point, Corrector& corrector, const PathState& path);
 

@@ -1,5 +1,6 @@
 #include "solver/natural_frequencies.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -11,6 +12,13 @@
 namespace soft::solver {
 
 namespace {
+
+/// The skew part of K over K that counts as rounding.
+constexpr double symmetric = 1e-11;
+/// The imaginary part of a w over w that counts as rounding: of equal eigenvalues of an unsymmetric K, half of its digits are lost.
+constexpr double damped = 1e-4;
+/// Without the law of inertia nothing shows whether one is missing.
+constexpr int more_of_unsymmetric = 8;
 
 [[noreturn]] void refuse_frequencies(const std::string& problem, const std::string& remedy) {
     throw Error(ExitCode::bad_input, "path.frequencies", problem, remedy);
@@ -43,15 +51,31 @@ NaturalFrequencies::NaturalFrequencies(fem::System& system, int count)
 
 std::vector<double> NaturalFrequencies::evaluate(Vec x, const fem::LoadLevels& levels) {
     (void)system_.evaluate(x, levels, R_, K_);
-    linalg::Matrix symmetric;
-    SOFT_PETSC(MatTranspose(K_, MAT_INITIAL_MATRIX, symmetric.out()));
-    SOFT_PETSC(MatAXPY(symmetric, 1.0, K_, SAME_NONZERO_PATTERN));
-    SOFT_PETSC(MatScale(symmetric, 0.5));
-    auto values = linalg::lowest_eigenvalues(symmetric, M_, count_, system_.dofs().pressures);
-    if (values.empty())
+    linalg::Matrix transposed;
+    SOFT_PETSC(MatTranspose(K_, MAT_INITIAL_MATRIX, transposed.out()));
+    double norm_of_K = 0, norm_of_skew = 0;
+    SOFT_PETSC(MatNorm(K_, NORM_FROBENIUS, &norm_of_K));
+    SOFT_PETSC(MatAXPY(transposed, -1.0, K_, SAME_NONZERO_PATTERN));
+    SOFT_PETSC(MatNorm(transposed, NORM_FROBENIUS, &norm_of_skew));
+    std::vector<std::complex<double>> eigenvalues;
+    if (norm_of_skew <= symmetric * norm_of_K) {
+        SOFT_PETSC(MatAXPY(K_, 0.5, transposed, SAME_NONZERO_PATTERN));
+        for (const double value : linalg::lowest_eigenvalues(K_, M_, count_, system_.dofs().pressures))
+            eigenvalues.emplace_back(value);
+    } else {
+        eigenvalues = linalg::nearest_eigenvalues(K_, M_, 2 * count_ + more_of_unsymmetric, system_.dofs().pressures);
+    }
+    if (std::ssize(eigenvalues) < count_)
         refuse_frequencies("the eigenvalue solver does not converge", "use a smaller number, or another mesh.size");
-    for (double& value : values) value = std::copysign(std::sqrt(std::abs(value)), value) / (2.0 * std::numbers::pi);
-    return values;
+    std::vector<double> frequencies;
+    for (const auto& value : eigenvalues) {
+        const std::complex<double> w = std::sqrt(value);
+        const bool grows = std::abs(w.imag()) > damped * std::abs(w);
+        frequencies.push_back((grows ? -std::abs(w.imag()) : w.real()) / (2.0 * std::numbers::pi));
+    }
+    std::ranges::sort(frequencies);
+    frequencies.resize(static_cast<std::size_t>(count_));
+    return frequencies;
 }
 
 }  // namespace soft::solver

@@ -3,9 +3,9 @@
 ///   K phi = (2 pi f)^2 M phi,     K = dR/dx at the state and its load levels, M = consistent mass (fem/mass.hpp).
 /// The loads are held: a pressure stays constant, as behind a large source, so that the stiffness of a trapped gas and a prescribed
 /// volume are not included; prescribed displacements are fixed. An eigenvalue -w^2 < 0 is an unstable direction with exp(w t), returned
-/// as the negative frequency -w / 2 pi. Only the symmetric part of K is used: a follower pressure on a surface with a free rim makes K
-/// slightly unsymmetric, which changes a simple eigenvalue in second order only. A model of a part (half, quarter, axisymmetric) has
-/// only the vibrations with its symmetry.
+/// as the negative frequency -w / 2 pi. A follower pressure on a surface with a free rim makes K unsymmetric: two eigenvalues may meet and
+/// become complex, w = a + i b, and the vibration grows with exp(|b| t) (flutter); each of the two is returned as -|b| / 2 pi. A model of a part
+/// (half, quarter, axisymmetric) has only the vibrations with its symmetry.
 /// Tested by solver/natural_frequencies_test and the verification (motions).
 #include <vector>
 

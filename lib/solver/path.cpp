@@ -154,12 +154,12 @@ void PathFollower::step() {
         if (auto found = snap_over(*point, corrector_, path_, listeners_))
             return go_on_after_snap(std::move(*found), "a small part snaps to ");
     Events events = events_before(*point, corrector_, path_, listeners_);
-    if (touch)
-        touch->point = std::move(*point);
-    else
-        touch = first_contact_before(*point, corrector_, path_, WithContact::yes);
+    const bool is_located = touch.has_value();
+    if (!is_located) touch = first_contact_before(*point, corrector_, path_, WithContact::yes);
+    const bool at_goal = !is_located && touch && goal != nullptr && is_beside(*touch, *point, taken);
+    if (is_located || at_goal) touch->point = std::move(*point);
     if (touch) events.add(std::move(*touch), path_.direction());
-    if (pass_events(std::move(events))) return;
+    if (pass_events(std::move(events), at_goal ? goal : nullptr)) return;
 
     commit(std::move(*point));
     if (goal != nullptr) return end_stage(goal->text);
@@ -235,7 +235,7 @@ void PathFollower::go_on_after_snap(Snap found, const std::string& how) {
     go_on_from(std::move(found.point), found.goal, how, lost);
 }
 
-bool PathFollower::pass_events(Events events) {
+bool PathFollower::pass_events(Events events, const Goal* at_contact) {
     for (Event& event : events.list) {
         const model::LimitPoint location = location_of(event.point, path_, system_);
         if (event.kind == Event::Kind::limit_point) path_.end.limit_points.push_back(location);
@@ -252,6 +252,7 @@ bool PathFollower::pass_events(Events events) {
             go_from(std::move(event.point));
             path_.before.reset();
             path_.step = round_step_size(step_after_contact * path_.step);
+            if (at_contact != nullptr) end_stage(at_contact->text);
             return true;
         }
         if (event.kind == Event::Kind::bifurcation) {

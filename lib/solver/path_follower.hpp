@@ -33,7 +33,8 @@ private:
     void commit(PathPoint point);
     void go_from(PathPoint point);
     /// Appends the events before the next state; true if the path ends or turns at one.
-    [[nodiscard]] bool pass_events(Events events);
+    /// `at_contact`: a goal reached where contact begins.
+    [[nodiscard]] bool pass_events(Events events, const Goal* at_contact);
     [[nodiscard]] bool take_branch(Event& bifurcation);
     void add_first_contact(const Event& event);
     void go_on_after_snap(Snap found, const std::string& how);

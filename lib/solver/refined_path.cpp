@@ -97,7 +97,7 @@ bool RefinedPath::end_stage(State& state, const RowState& coarse) {
         if ((goal.constraint.kind == ConstraintKind::load_factor) != at_full_load) continue;
         const double value = corrector_.value(goal.constraint, *loads_, state);
         const double off = std::abs(remaining(goal.constraint, system_.input(), goal.target, value) / goal.target);
-        if (!(off < smallest)) continue;
+        if (!at_full_load && !(off < smallest)) continue;
         smallest = off;
         met = &goal;
     }
@@ -122,6 +122,9 @@ std::optional<State> RefinedPath::equilibrium(const RowState& coarse, RowPositio
     const auto at_goal = [&](State found) {
         if (position == RowPosition::ends_stage)
             if (State goal = copy_of(found); end_stage(goal, coarse)) return goal;
+        const auto is_of_stage = [](double load_factor) { return load_factor >= 0.0 && load_factor <= 1.0; };
+        if (is_of_stage(coarse.step.load_factor) && !is_of_stage(found.load_factor))
+            if (auto equal = at_equal_load(coarse, Settle::no)) return std::move(*equal);
         return found;
     };
     if (correct_to_nearest(state, coarse)) return at_goal(std::move(state));

@@ -6,8 +6,9 @@
 /// (the arc constraint, t of unit length, zero in the pressure unknowns) and a free load factor: the state of the finer
 /// mesh nearest to that of the coarse one, which exists at limit points and on branches alike. Newton's method starts from u0 plus the
 /// difference that it found in the row before; else from u0; else it follows the chord of the coarse path in parts from that row; else the
-/// load is that of the coarse row. With an obstacle that moves, a state counts only within 0.05 of the load factor of the coarse row. For
-/// the last row of a stage follows what ended the stage (its load factor or an `until`). Load levels are relative to the state that the
+/// load is that of the coarse row; also where the nearest state lies beyond the loads of the stage. With an obstacle that moves, a state counts
+/// only within 0.05 of the load factor of the coarse row. For the last row of a stage follows what ended the stage (its load factor or an
+/// `until`). Load levels are relative to the state that the
 /// finer mesh has at the end of the stage before.
 /// Tested by solver/accuracy_test and the verification suite.
 #include <optional>

@@ -14,6 +14,24 @@ runs 'postprocess -q k.h5 --at elongation=20mm -o at.csv'
 claim "they are interpolated" within "$(column frequency_1_Hz at.csv)" "$(column frequency_1_Hz whole.csv | sed -n 2p)" "$(column frequency_1_Hz whole.csv | sed -n 4p)"
 runs 'solve -q plain.h5 --set path.frequencies=3 | postprocess -q | cmp - whole.csv'
 
+# Beck's column: a rod of 200 x 10 x 6 mm pushed by a pressure that follows its end. The roots of 2 W^2 + k^2 + 2 W^2 cosh b cos a + k W sinh b sin a = 0,
+# with k = P L^2/EI and a, b = sqrt(sqrt(k^2/4 + W^2) +- k/2), meet at k = 20.05, here 0.451 kPa (M. Beck, Z. angew. Math. Phys. 3 (1952) 225).
+cat >beck.yaml <<'END'
+family: rod
+geometry: {length: 200 mm, width: 10 mm, height: 6 mm}
+material: {law: neo-hookean, mu: 100 kPa, kappa: incompressible, density: 1000 kg/m^3}
+model: solid
+mesh: {size: 10 mm}
+supports: {fixed: fixed}
+loads: {end: {pressure: 0.3 kPa}}
+path: {frequencies: 3}
+END
+runs 'mesh-gen -q beck.yaml | solve -q | postprocess -q -o beck.csv'
+claim "a follower pressure raises the first frequency" within "$(column frequency_1_Hz beck.csv | tail -n 1)" 0.7156 0.7300
+claim "... and lowers the second one in its plane" within "$(column frequency_3_Hz beck.csv | tail -n 1)" 2.023 2.063
+runs 'mesh-gen -q beck.yaml --set loads.end.pressure=0.5kPa | solve -q | postprocess -q -o flutter.csv'
+claim "beyond the pressure at which they meet, both grow" within "$(column frequency_2_Hz flutter.csv | tail -n 1)" -1 -0.01
+
 # A run that the limit of the file size stops after some rows.
 run "(ulimit -f $(($(stat -c %s case.h5) / 1024 + 500)); exec solve -q case.h5 -o k.h5)"
 claim "the run is stopped" exits 74

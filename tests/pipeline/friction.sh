@@ -82,6 +82,26 @@ claim "friction dissipates the work of the slab" within "$(awk -v way="$(column 
         for (i = 2; i <= rows; ++i) work += (x[i] - x[i - 1]) * (f[i] + f[i - 1]) / 2
         print -work / friction }')" 0.998 1.002
 
+# A bellows in a pipe that its walls meet with friction, and again within rounding where it comes to rest, at the end of a stage.
+cat >pipe.yaml <<'END'
+family: bellows
+geometry: {convolutions: 4, pitch: 8 mm, crest_radius: 15 mm, bore_radius: 3 mm, wall: 2.4 mm}
+material: {law: neo-hookean, mu: 0.1644 MPa, kappa: incompressible}
+mesh: {quality: draft}
+supports: {fixed: end_disc}
+obstacles: {pipe: {cylinder: {point: [0 mm, 0 mm, 0 mm], axis: [1, 0, 0], radius: 15.05 mm, inside: true}, friction: 0.4}}
+loads: {cavity: {pressure: 45 kPa}}
+path:
+  repeat: 3
+  stages:
+    up: {loads: {cavity: {pressure: 45 kPa}}}
+    down: {loads: {cavity: {pressure: 0 kPa}}}
+outputs: {elongation: {face: inlet, along: axis}}
+END
+runs 'mesh-gen -q pipe.yaml | solve -q --json pipe.json -o pipe.h5 && postprocess -q pipe.h5 -o pipe.csv'
+claim "three cycles end at rest" [ "$(json pipe.json stop_reason) $(last pressure_kPa pipe.csv)" = "done 0" ]
+claim "no pressure is beyond those of the stages" awk -F, 'NR > 1 && ($4 < 0 || $4 > 45) { exit 1 }' pipe.csv
+
 # Motions in time.
 block=designs/verification/contact-sliding-block.yaml
 runs "mesh-gen -q $block -o block.h5 && solve -q block.h5 --json block.json -o one.h5 && postprocess -q one.h5 --also friction_work -o one.csv"

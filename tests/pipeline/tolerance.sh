@@ -100,3 +100,31 @@ claim "the load has no bar where the first output stands still, and a small one 
     $at["push_N"] == 0 { free += 1; wrong += $at["pressure_error_kPa"] != 0 }
     $at["push_N"] > 0.1 { wrong += !($at["pressure_error_kPa"] > 0 && $at["pressure_error_kPa"] < 0.05 * $at["pressure_kPa"]) }
     END { exit !(free > 5 && !wrong) }' wall.csv
+
+# Stages on a mesh that errs by 10 %: gravity, then a force; a displacement, then a pressure.
+runs 'mesh-gen -q designs/gravity-beam.yaml --set mesh.quality=draft | solve -q --tolerance 5% | postprocess -q -o beam.csv
+      mesh-gen -q designs/gravity-beam.yaml --set mesh.quality=fine | solve -q | postprocess -q -o fine.csv'
+of_stage() { awk -F, -v stage="$1" -v name="$2" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) k = i } $2 == stage { value = $k } END { print value }' "$3"; }
+claim "the first stage ends under its own load" awk -v a="$(of_stage 1 tip_mm beam.csv)" -v b="$(of_stage 1 tip_mm fine.csv)" -v bar="$(of_stage 1 tip_error_mm beam.csv)" \
+    'BEGIN { exit !((a - b) ^ 2 < bar ^ 2) }'
+claim "... and the second one too" awk -v a="$(of_stage 2 tip_mm beam.csv)" -v b="$(of_stage 2 tip_mm fine.csv)" -v bar="$(of_stage 2 tip_error_mm beam.csv)" \
+    -v load="$(of_stage 2 load_N beam.csv)" -v full="$(of_stage 2 load_N fine.csv)" 'BEGIN { exit !(load == full && (a - b) ^ 2 < bar ^ 2) }'
+cat >pushed.yaml <<'DESIGN'
+family: rod
+geometry: {length: 100 mm, width: 30 mm, height: 30 mm}
+material: {law: neo-hookean, mu: 88 kPa, kappa: incompressible}
+mesh: {quality: draft}
+supports: {fixed: fixed}
+loads:
+  end: {displacement: 20 mm, along: z}
+  top: {pressure: 0.1 kPa}
+path:
+  stages:
+    move: {loads: {end: {displacement: 20 mm}}}
+    press: {loads: {top: {pressure: 0.1 kPa}}}
+outputs:
+  f: {face: end, measure: force, along: z}
+DESIGN
+runs 'mesh-gen -q pushed.yaml | solve -q --tolerance 30% | postprocess -q -o pushed.csv'
+claim "rows stay within the loads of their stage" awk -F, '$2 == 2 && ($3 < 0 || $3 > 0.1) { exit 1 }' pushed.csv
+claim "... and its end is reached" [ "$(of_stage 2 pressure_kPa pushed.csv)" = 0.1 ]
