@@ -47,7 +47,7 @@ bool read_line(std::string& line) {
 }
 
 /// Solves the lines of stdin one after the other. Errors are reported and the next line follows, except after ExitCode::internal
-/// and io_error, which end the process. Returns the exit code of the first line that failed.
+/// and io_error, which end the process. Returns the exit code that ended it, else that of the first line that failed.
 ExitCode solve_batch(const SolveOptions& batch) {
     const linalg::Session session{batch.petsc};
     if (session.size() > 1) throw Error(ExitCode::usage, "--batch", "runs on one rank only", "omit mpirun");
@@ -75,7 +75,7 @@ ExitCode solve_batch(const SolveOptions& batch) {
                                        now.user_s - before.user_s, now.system_s - before.system_s, wall.count());
         const auto bytes = std::as_bytes(std::span(answer).first(static_cast<std::size_t>(size)));
         if (core::write_all(STDOUT_FILENO, bytes, "<stdout>") == core::WriteStatus::reader_closed) break;
-        if (is_fatal(code)) break;
+        if (is_fatal(code)) return code;  // further lines have not been solved
         before = now;
     }
     return first;

@@ -13,6 +13,8 @@ constexpr double small_load = 0.1;
 
 /// A measure stands still where it changes by less than this fraction of its range while the load changes by its whole range.
 constexpr double standstill = 0.05;
+/// It is not compared at where it changes by less than this fraction of what another measure changes by, as beside a wall that it reaches.
+constexpr double slower = 0.25;
 
 /// `point` and `tangent` of the curve from a row's step and number.
 template <class Point, class Tangent>
@@ -87,13 +89,13 @@ public:
             ranges_.push_back(range_of(rows, [&](const model::Step& step) { return measure.point(step).measure; }));
     }
     [[nodiscard]] const std::vector<Measure>& all() const { return measures_; }
-    /// The first one that does not stand still at a row, or that which moves most; nullopt where none does, or the load is held.
+    /// The first one that moves well at a row, or that which moves most; nullopt where none does, or the load is held.
     [[nodiscard]] std::optional<std::size_t> moving(const model::Step& step) const {
         std::size_t most = 0;
-        for (std::size_t k = 0; k < measures_.size(); ++k) {
-            if (rate(step, k) > standstill) return k;
+        for (std::size_t k = 0; k < measures_.size(); ++k)
             if (rate(step, k) > rate(step, most)) most = k;
-        }
+        for (std::size_t k = 0; k < most; ++k)
+            if (rate(step, k) > std::max(standstill, slower * rate(step, most))) return k;
         const bool is_known = measures_[most].tangent(step).load != 0 || model::holds_load(step);
         return rate(step, most) > 0 || !is_known ? std::optional{most} : std::nullopt;
     }

@@ -1,8 +1,9 @@
 #pragma once
 /// Error bars of the rows of a path from the same rows on the meshes next to theirs (error_bar.hpp). Internal to the module.
 /// The bar of an output is that at an equal load. The bar of the load is that at an equal value of a measure: the first of the outputs and the
-/// volume that moves with the load at this row, or that which moves most; 0 where none moves, as before an obstacle is reached, and where the
-/// load is held. There, and where all outputs stand still (a wall stops the actuator), the largest bar is that of the outputs.
+/// volume that moves with the load at this row, at least a quarter as fast, of its range, as that which moves most; 0 where none moves, as
+/// before an obstacle is reached, and where the load is held. There, and where all outputs stand still (a wall stops the actuator), the largest
+/// bar is that of the outputs.
 /// Tested by solver/accuracy_test, pipeline/tolerance.sh and the verification suite (group Error bars).
 #include <vector>
 
