@@ -220,4 +220,20 @@ model::PathSettings path_of(const PathParts& parts, std::span<const Item> items,
     return path;
 }
 
+std::vector<std::string> unused_values(const PathParts& parts, const Values& values) {
+    const auto quantity = [](const std::string& path) { return path.substr(path.rfind('.')); };
+    std::vector<std::string> warnings;
+    for (std::size_t i = 0; i < parts.entries.size(); ++i) {
+        const std::string& own = parts.entries[i].value;
+        const auto acts = [&](const StageLoad& load) {
+            return load.index == i && load.what != Prescription::closed && quantity(load.value) == quantity(own) &&
+                   values.number(load.value) == values.number(own);
+        };
+        const auto is_full = [&](const StageEntry& stage) { return std::ranges::any_of(stage.loads, acts); };
+        if (parts.entries[i].form->kind != LoadKind::shared_gas && std::ranges::none_of(parts.stages, is_full))
+            warnings.push_back(own + ": acts in no stage, as each states another value; change path.stages");
+    }
+    return warnings;
+}
+
 }  // namespace soft::design

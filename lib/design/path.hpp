@@ -36,5 +36,7 @@ struct PathParts {
 };
 /// The path settings. Rejects controls and end criteria that do not match the loads and outputs, and loads that no stage names.
 [[nodiscard]] model::PathSettings path_of(const PathParts& parts, std::span<const Item> items, const Values& values);
+/// Warnings of loads whose stated value acts in no stage, because each stage states its own.
+[[nodiscard]] std::vector<std::string> unused_values(const PathParts& parts, const Values& values);
 
 }  // namespace soft::design

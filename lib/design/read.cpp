@@ -307,7 +307,8 @@ Design design_of(const Checked& checked, const FamilyKeys& family) {
     design.outputs = outputs_of(checked.items, checked.faces, design.values);
     std::vector<std::string> outputs;
     for (const Design::OutputRequest& output : design.outputs) outputs.push_back(output.name);
-    design.path = path_of({checked.stages, checked.loads, loads, outputs}, checked.items, design.values);
+    const PathParts parts{checked.stages, checked.loads, loads, outputs};
+    design.path = path_of(parts, checked.items, design.values);
     design.loads = std::move(loads.pressures);
     design.dead_loads = std::move(loads.dead_loads);
     design.motions = std::move(loads.motions);
@@ -315,6 +316,7 @@ Design design_of(const Checked& checked, const FamilyKeys& family) {
     design.parameters = parameters_of(checked.items);
     design.effective_yaml = write_yaml(tree_of(checked.items));
     design.warnings = plausibility(design);
+    std::ranges::move(unused_values(parts, design.values), std::back_inserter(design.warnings));
     return design;
 }
 

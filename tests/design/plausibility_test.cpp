@@ -39,12 +39,21 @@ TEST(Plausibility, WarnsAboutAPressureFarBelowTheModulus) {
 TEST(Plausibility, WarnsAboutALoadThatContinuesToChangeInAHoldStage) {
     const auto stages = [](const std::string& until, const std::string& hold) {
         return std::vector<Override>{
-            {"path.stages", "{a: {loads: {cavity: {pressure: 40 kPa}}" + until + "}, hold: " + hold + "}"}};
+            {"path.stages", "{a: {loads: {cavity: {pressure: 30 kPa}}" + until + "}, hold: " + hold + "}"}};
     };
     expect_warning(stages(", until: {steps: 3}", "{}"), "path.stages.hold:", "full value of stage a");
     EXPECT_TRUE(read(minimal_design, stages("", "{}")).warnings.empty());
     EXPECT_TRUE(
-        read(minimal_design, stages(", until: {steps: 3}", "{loads: {cavity: {pressure: 40 kPa}}}")).warnings.empty());
+        read(minimal_design, stages(", until: {steps: 3}", "{loads: {cavity: {pressure: 30 kPa}}}")).warnings.empty());
+}
+
+TEST(Plausibility, WarnsAboutALoadThatActsInNoStage) {
+    const auto stages = [](const std::string& load) {
+        return std::vector<Override>{
+            {"path.stages", "{a: {loads: {cavity: " + load + "}}, b: {loads: {cavity: {pressure: 0 kPa}}}}"}};
+    };
+    expect_warning(stages("{pressure: 40 kPa}"), "loads.cavity.pressure:", "acts in no stage");
+    EXPECT_TRUE(read(minimal_design, stages("{pressure: 30 kPa}")).warnings.empty());
 }
 
 TEST(Plausibility, WarnsAboutMissingVolumetricDampingOfMixedCells) {
