@@ -135,10 +135,11 @@ public:
             for (std::size_t d = 0; d < 3; ++d)
                 if (mirrors_[d] && initial_depths_m_[d][f] <= tolerance_m_)
                     if (const Depth at = depth(f, d, positions); at.depth_m > rounding_m_ + initial_depths_m_[d][f]) {
-                        if (at.depth_m > std::max(tolerance_m_, allowed_depth_m(f)) &&
-                            faces_plane(f, d, at.xi, positions))
+                        const bool is_deep = at.depth_m > std::max(tolerance_m_, allowed_depth_m(f));
+                        if (is_deep && faces_plane(f, d, at.xi, positions))
                             keep({kind_of(d), undeformed_location(f, at.xi), {f, f}});
-                        else if (has_inverted_cell(mesh_, std::span{&facets_.facet(f), 1}, positions))
+                        else if ((is_deep || !begins_at_plane(f, d)) &&
+                                 has_inverted_cell(mesh_, std::span{&facets_.facet(f), 1}, positions))
                             keep({Kind::wall, undeformed_location(f, at.xi), {f, f}});
                     }
         for (std::size_t k = 0; allowed_share_ > 0 && k < obstacles_.size(); ++k)
@@ -258,6 +259,12 @@ private:
         const surface::FacetMap::Value at =
             surface::facet_map(mesh_, facets_.facet(f), positions)(begin.value_or(deepest));
         return sides_[d] * cross(at.t1, at.t2)[d] < 0;
+    }
+
+    /// A crease closes at the plane with an angle of pi in the corner of its cell, where det F vanishes.
+    [[nodiscard]] bool begins_at_plane(std::size_t f, std::size_t d) const {
+        return std::ranges::any_of(facets_.nodes(f),
+                                   [&](mesh::Index node) { return std::abs(mesh_.point(node)[d]) <= tolerance_m_; });
     }
 
     [[nodiscard]] bool is_initial_contact(int i, int j) const { return initial_contacts_.contains({i, j}); }

@@ -203,7 +203,7 @@ std::vector<surface::FacetPoint> grid_points(mesh::CellType facet) {
 
 /// Checks nodes and points between them, because facets bulge. Facets with rubber between them and the plane are excluded: there a cell is
 /// inverted.
-bool ShapeChecks::crosses_symmetry_plane(const mesh::Mesh& mesh) const {
+bool ShapeChecks::crosses_symmetry_plane(const mesh::Mesh& mesh, double allowed_m) const {
     const auto mirrors = surface::mirrors(model_);
     for (const Facet& facet : skin_) {
         const surface::FacetMap before = surface::facet_map(model_.mesh, facet, model_.mesh.points),
@@ -214,7 +214,7 @@ bool ShapeChecks::crosses_symmetry_plane(const mesh::Mesh& mesh) const {
             const Vector3 out = cross(is.t1, is.t2);
             for (std::size_t d = 0; d < 3; ++d)
                 if (mirrors[d] && std::abs(was[d]) > crossing_tolerance * extent_m_ && is.x[d] * was[d] < 0 &&
-                    out[d] * was[d] < 0)
+                    std::abs(is.x[d]) > allowed_m && out[d] * was[d] < 0)
                     return true;
         }
     }
@@ -260,7 +260,7 @@ std::string ShapeChecks::contact(std::span<const double> u, std::span<const doub
     Pairs pairs = intersecting_pairs(now, allowed_m);
     for (const auto& pair : initial_pairs_) pairs.erase(pair);
     if (!pairs.empty()) return "walls intersect";
-    if (crosses_symmetry_plane(now)) return "a wall crosses a symmetry plane";
+    if (crosses_symmetry_plane(now, allowed_m)) return "a wall crosses a symmetry plane";
     return creases_.has_closed(moved(before).points, now.points) ? "a crease closes" : "";
 }
 

@@ -17,7 +17,8 @@ public:
     explicit ShapeChecks(const model::Case& model);
 
     /// "walls intersect", "a crease closes", "a wall crosses a symmetry plane"; empty without contact.
-    /// `u`: displacements [point x 3]; `before`: those of the previous row. Walls that overlap by at most `allowed_m` do not intersect.
+    /// `u`: displacements [point x 3]; `before`: those of the previous row. Walls that overlap by at most `allowed_m`, or
+    /// reach as far beyond a symmetry plane, do not intersect.
     [[nodiscard]] std::string contact(std::span<const double> u, std::span<const double> before,
                                       double allowed_m = 0) const;
     /// Smallest det F at corners, mid nodes and centres of the cells.
@@ -38,7 +39,7 @@ private:
     using Pairs = std::set<std::array<int, 3>>;  // division of the facets, and two pieces
     [[nodiscard]] mesh::Mesh moved(std::span<const double> u) const;
     [[nodiscard]] Pairs intersecting_pairs(const mesh::Mesh& mesh, double allowed_m) const;
-    [[nodiscard]] bool crosses_symmetry_plane(const mesh::Mesh& mesh) const;
+    [[nodiscard]] bool crosses_symmetry_plane(const mesh::Mesh& mesh, double allowed_m) const;
 
     const model::Case& model_;
     std::vector<mesh::Facet> skin_;

@@ -39,3 +39,28 @@ for control in auto arc-length pressure; do
 done
 run 'timeout -s KILL 1.5 solve -q auto.h5 -o part.h5; if [ -s part.h5 ]; then solve -q --resume part.h5; else solve -q auto.h5 -o part.h5; fi; postprocess -q part.h5 --also all | cmp - auto.csv'
 claim "a solve that is killed and resumed gives the same curve to the byte" exits 0
+
+# A tube that plates press flat and release: its inner side creases at the symmetry plane, where the crease closes.
+cat >valve.yaml <<'END'
+family: ring
+geometry: {inner_radius: 4 mm, outer_radius: 6 mm}
+material: {law: neo-hookean, mu: 0.25 MPa}
+model: plane-strain
+obstacles: {top: {plane: {point: [0 mm, 6.05 mm, 0 mm], normal: [0, -1, 0]}}}
+loads: {top: {displacement: -4.3 mm, along: y}}
+path:
+  stages:
+    close: {loads: {top: {displacement: -4.3 mm}}}
+    open: {loads: {top: {displacement: 0 mm}}}
+outputs:
+  gap: {obstacle: top, measure: displacement, along: y}
+  press: {obstacle: top, measure: force, along: y}
+  seal: {obstacle: self, measure: area}
+END
+for quality in normal fine; do
+    runs "mesh-gen -q valve.yaml --set mesh.quality=$quality | solve -q -o $quality.h5 && postprocess -q $quality.h5 --also stored_energy -o $quality.csv && postprocess -q $quality.h5 --at gap=-3.5mm -o $quality-at.csv"
+    claim "it is closed on the way" awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "seal_mm2") k = i } $k > most { most = $k } END { exit !(most > 1e4) }' $quality.csv
+    claim "... and at rest again" awk -v e="$(last stored_energy_mJ $quality.csv)" -v most="$(column stored_energy_mJ $quality.csv | sort -g | tail -n 1)" 'BEGIN { exit !(e < 1e-6 * most) }'
+done
+claim "both meshes need the same force, on the way in and out" awk -v a="$(column press_N normal-at.csv | tr '\n' ' ')" -v b="$(column press_N fine-at.csv | tr '\n' ' ')" \
+    'BEGIN { split(a, x, " "); split(b, y, " "); for (i = 1; i <= 2; ++i) if (!((x[i] / y[1] - 1) ^ 2 < 0.03 ^ 2 && (y[i] / y[1] - 1) ^ 2 < 0.03 ^ 2)) exit 1 }'
