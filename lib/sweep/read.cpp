@@ -2,6 +2,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/text.hpp"
 #include "core/units.hpp"
@@ -72,16 +73,38 @@ struct Quantity {
     double number;
     std::string unit;
 };
-Quantity quantity_of(const SourceText& written, const std::string& path) {
-    const core::QuantityParts parts = core::quantity_parts(written.text);
+std::optional<Quantity> number_in(const std::string& text) {
+    const core::QuantityParts parts = core::quantity_parts(text);
     const char* const last = parts.number.data() + parts.number.size();
     Quantity quantity{0, parts.unit};
     const auto end =
         std::from_chars(parts.number.data() + (parts.number.starts_with('+') ? 1 : 0), last, quantity.number);
-    if (end.ec != std::errc{} || end.ptr != last || !std::isfinite(quantity.number))
-        refuse(written.location, path, core::quoted(written.text) + " is not a number",
-               "write words as a list: [one, two]");
+    if (end.ec != std::errc{} || end.ptr != last || !std::isfinite(quantity.number)) return std::nullopt;
     return quantity;
+}
+
+Quantity quantity_of(const SourceText& written, const std::string& path) {
+    if (auto quantity = number_in(written.text)) return *quantity;
+    refuse(written.location, path, core::quoted(written.text) + " is not a number",
+           "write words as a list: [one, two]");
+}
+
+[[noreturn]] void refuse_unit(const SourceText& value, const SourceText& other, const std::string& path) {
+    refuse(value.location, path, core::quoted(value.text) + " has another unit than " + core::quoted(other.text),
+           "write all in the same unit");
+}
+
+/// Words, or numbers that share a unit: their column has one.
+Choices choices_of(const Node& node, const std::string& path) {
+    Choices choices = one_or_more(node, path, "2 mm, 3 mm");
+    const SourceText* first = nullptr;
+    for (const SourceText& choice : choices) {
+        const auto quantity = number_in(choice.text);
+        if (!quantity || quantity->unit.empty()) continue;
+        if (first == nullptr) first = &choice;
+        if (quantity->unit != number_in(first->text)->unit) refuse_unit(choice, *first, path);
+    }
+    return choices;
 }
 
 const Node& required_value(const Node& map, std::string_view key, const SourceText& at, const std::string& example) {
@@ -96,10 +119,7 @@ Range range_of(const Node& node, const std::string& path, Method method) {
         single_value(required_value(node, "from", {path + ".from", node.location}, "2 mm"), path + ".from", "2 mm");
     range.to = single_value(required_value(node, "to", {path + ".to", node.location}, "4 mm"), path + ".to", "4 mm");
     const Quantity from = quantity_of(range.from, path), to = quantity_of(range.to, path);
-    if (from.unit != to.unit)
-        refuse(range.to.location, path,
-               core::quoted(range.to.text) + " has another unit than " + core::quoted(range.from.text),
-               "write both in the same unit");
+    if (from.unit != to.unit) refuse_unit(range.to, range.from, path);
     if (!(from.number < to.number))
         refuse(range.to.location, path, range.to.text + " is not more than " + range.from.text,
                "write the smaller one first");
@@ -132,7 +152,7 @@ std::vector<Factor> factors_of(const Node& vary, Method method) {
         if (node.kind == Node::Kind::map)
             factor.values = range_of(node, member.key, method);
         else if (node.kind == Node::Kind::list)
-            factor.values = one_or_more(node, member.key, "2 mm, 3 mm");
+            factor.values = choices_of(node, member.key);
         else
             refuse(node.location, member.key, "a range or a list is needed here",
                    "write {from: 2 mm, to: 4 mm} or [2 mm, 3 mm]; put keys that do not vary under set");

@@ -104,6 +104,8 @@ TEST(ReadSweep, RejectsInvalidRanges) {
         return refusal("design: d\nvary: {k: {" + text + ", steps: 3}}\n");
     };
     EXPECT_EQ(range("from: 2 mm, to: 4").substr(0, 53), "s.yaml:2:28: k: '4' has another unit than '2 mm'; wri");
+    EXPECT_EQ(refusal("design: d\nvary: {k: [auto, 2 mm, 0.002 m]}\n").substr(0, 57),
+              "s.yaml:2:24: k: '0.002 m' has another unit than '2 mm'; w");
     EXPECT_EQ(range("from: 4 mm, to: 2 mm").substr(0, 46), "s.yaml:2:28: k: 2 mm is not more than 4 mm; wr");
     EXPECT_EQ(range("from: a, to: b").substr(0, 38), "s.yaml:2:18: k: 'a' is not a number; w");
     EXPECT_EQ(range("from: 0 Pa, to: 1 Pa, scale: log").substr(0, 39), "s.yaml:2:18: k: 0 Pa has no logarithm; ");
