@@ -5,6 +5,7 @@
 
 #include "fem/mass.hpp"
 #include "solver/control.hpp"
+#include "solver/stepping.hpp"
 #include "solver/work.hpp"
 
 namespace soft::solver {
@@ -199,8 +200,10 @@ std::optional<Snap> snap(Corrector& corrector, PathState& path, const Listeners&
     const Constraint held = held_constraint(corrector, path);
     const PathPoint& last = *path.last;
     const double start = controlled_value(held, last, 0.0), change = control_slope(held, last) * step;
-    if (change == 0.0) return std::nullopt;
+    // A change below the accuracy of a state leads nowhere.
+    const double known = equilibrium_margin * corrector.input().solver.residual_tolerance * std::abs(start);
     for (const double part : parts_of_step) {
+        if (!(std::abs(part * change) > known)) break;
         if (auto found = snap_towards(corrector, path, listeners, held, start + part * change, farthest_snap))
             return found;
         if (corrector.system().contact().has_friction()) break;  // which turns round within a small part of the step

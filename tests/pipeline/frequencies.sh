@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Natural frequencies pass through the pipeline: the curve, a resumed run, two ranks, --set and --tolerance; where they are refused.
+# shellcheck disable=SC2016  # awk expands its own variables
 #   frequencies.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 design='mesh-gen -q designs/bellows.yaml --set mesh.size=3mm --set material.density=1080kg/m^3'
