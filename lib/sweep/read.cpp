@@ -102,7 +102,9 @@ Choices choices_of(const Node& node, const std::string& path) {
         const auto quantity = number_in(choice.text);
         if (!quantity || quantity->unit.empty()) continue;
         if (first == nullptr) first = &choice;
-        if (quantity->unit != number_in(first->text)->unit) refuse_unit(choice, *first, path);
+        const std::string unit = number_in(first->text)->unit;  // one of another dimension is refused with the design
+        if (quantity->unit != unit && core::dimension_of(quantity->unit) == core::dimension_of(unit))
+            refuse_unit(choice, *first, path);
     }
     return choices;
 }
