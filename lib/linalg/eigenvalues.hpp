@@ -15,7 +15,8 @@ namespace soft::linalg {
 /// most the number of the other unknowns. Empty if the method does not converge. Collective, the same result on every rank.
 [[nodiscard]] std::vector<double> lowest_eigenvalues(Mat K, Mat M, PetscInt count, PetscInt constraints);
 
-/// Of an unsymmetric K: eigenvalues nearest to 0, `count` or more, with LU by MUMPS. Complex ones come with their conjugates.
+/// Of an unsymmetric K, with LU by MUMPS: at least `count` of the finite eigenvalues nearest to 0, or all that there are, in no order; complex ones
+/// with their conjugates. One of several equal ones may be missing. Empty if the method does not converge.
 [[nodiscard]] std::vector<std::complex<double>> nearest_eigenvalues(Mat K, Mat M, PetscInt count, PetscInt constraints);
 
 }  // namespace soft::linalg

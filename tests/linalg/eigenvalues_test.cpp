@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace soft::linalg {
 namespace {
 
@@ -54,6 +56,25 @@ TEST(Eigenvalues, AreTheLowestOfASaddlePoint) {
         const std::vector<double> all{1, 2, 3, 4, 5};
         expect_lowest(given, 2, {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)});
     }
+}
+
+/// [3 4; -4 1] has the eigenvalues 2 + i sqrt(15) and 2 - i sqrt(15).
+TEST(Eigenvalues, OfAnUnsymmetricMatrixMayBeComplex) {
+    const auto given = pencil(with_many_above({3, 1, 5}), {{1.0, 3.0}});
+    for (Mat A : {given.K.get(), given.M.get()})
+        SOFT_PETSC(MatSetOption(A, MAT_NEW_NONZERO_ALLOCATION_ERR, PETSC_FALSE));
+    for (const double entry : {4.0, -4.0}) {
+        const PetscInt i = entry > 0 ? 0 : 1;
+        SOFT_PETSC(MatSetValue(given.K, i, 1 - i, entry, INSERT_VALUES));
+        SOFT_PETSC(MatSetValue(given.M, i, 1 - i, 0.0, INSERT_VALUES));
+    }
+    for (Mat A : {given.K.get(), given.M.get()}) assemble(A);
+    auto found = nearest_eigenvalues(given.K, given.M, 4, 1);
+    ASSERT_GE(found.size(), 4u);
+    std::ranges::sort(found, {}, [](const auto& value) { return std::pair{std::abs(value), value.imag()}; });
+    if (found[1].imag() > found[2].imag()) std::swap(found[1], found[2]);  // conjugates, equal to rounding
+    const std::complex<double> expected[] = {2.0, {2.0, -std::sqrt(15.0)}, {2.0, std::sqrt(15.0)}, 5.0};
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(std::abs(found[i] - expected[i]), 0.0, 1e-8) << i;
 }
 
 TEST(Eigenvalues, IncludeANegativeOneFarFromZero) {
