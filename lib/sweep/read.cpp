@@ -98,11 +98,15 @@ Quantity quantity_of(const SourceText& written, const std::string& path) {
 Choices choices_of(const Node& node, const std::string& path) {
     Choices choices = one_or_more(node, path, "2 mm, 3 mm");
     const SourceText* first = nullptr;
+    std::string unit;
     for (const SourceText& choice : choices) {
         const auto quantity = number_in(choice.text);
         if (!quantity || quantity->unit.empty()) continue;
-        if (first == nullptr) first = &choice;
-        const std::string unit = number_in(first->text)->unit;  // one of another dimension is refused with the design
+        if (first == nullptr) {
+            first = &choice;
+            unit = quantity->unit;
+        }
+        // A unit of another dimension is refused with the design.
         if (quantity->unit != unit && core::dimension_of(quantity->unit) == core::dimension_of(unit))
             refuse_unit(choice, *first, path);
     }
