@@ -23,14 +23,16 @@ using surface::FacetPoint;
 constexpr double facing = 0.5;
 /// Facets that face away from each other within this many facet sizes have rubber between them.
 constexpr double thickest_wall_in_facets = 3;
-/// Parts of a line, and of a quadrilateral in both directions, with a rule each. A point that slides over a corner of the other side makes the
-/// equilibrium unstable unless its force over its gap is small against the stiffness of the cells.
-constexpr int line_parts = 4, quadrilateral_parts = 3;
-/// Points on [-1, 1] with their weights. The root is that of 3/7.
+/// A point that slides over a corner of the other side makes the equilibrium unstable unless its force over its gap is small against the
+/// stiffness of the cells. On a line, points are closer to each other than the default contact distance, so that the force on a corner that slides
+/// over them hardly varies.
+constexpr std::size_t line_intervals = 64;
+constexpr int quadrilateral_parts = 3;
+/// Points on [-1, 1] with their weights.
 using LinePoint = std::array<double, 2>;
 constexpr std::array simpson{LinePoint{-1, 1.0 / 3}, LinePoint{0, 4.0 / 3}, LinePoint{1, 1.0 / 3}};
-constexpr std::array lobatto{LinePoint{-1, 0.1}, LinePoint{-0.65465367070797714, 49.0 / 90}, LinePoint{0, 32.0 / 45},
-                             LinePoint{0.65465367070797714, 49.0 / 90}, LinePoint{1, 0.1}};
+/// Gregory's weights at the ends of the trapezoidal rule.
+constexpr std::array end_weights{95.0 / 288, 317.0 / 240, 23.0 / 30, 793.0 / 720, 157.0 / 160};
 /// k over the larger of E_0 and the pressure.
 constexpr double stiffness_share = 0.1;
 
@@ -44,11 +46,11 @@ void add_point(SampleRule& rule, const FacetPoint& xi, double weight) {
     rule.weights.push_back(weight);
 }
 
-/// The rule in each of so many equal parts of [-1, 1]; points that two parts share come twice.
-std::vector<LinePoint> in_parts(std::span<const LinePoint> rule, int parts) {
+/// Simpson's rule in each of so many equal parts of [-1, 1]; points that two parts share come twice.
+std::vector<LinePoint> simpson_in_parts(int parts) {
     std::vector<LinePoint> all;
     for (int part = 0; part < parts; ++part)
-        for (const auto& [s, w] : rule) all.push_back({(2 * part + 1 + s) / parts - 1, w / parts});
+        for (const auto& [s, w] : simpson) all.push_back({(2 * part + 1 + s) / parts - 1, w / parts});
     return all;
 }
 
@@ -154,9 +156,13 @@ SampleRule sample_rule(mesh::CellType facet) {
              {std::array{a, ab, ca}, std::array{ab, b, bc}, std::array{ca, bc, c}, std::array{ab, bc, ca}})
             add_triangle(rule, part, 0.125);
     } else if (shape == mesh::Shape::line) {
-        for (const auto& [s, w] : in_parts(lobatto, line_parts)) add_point(rule, {s, 0}, w);
+        for (std::size_t i = 0; i <= line_intervals; ++i) {
+            const std::size_t from_end = std::min(i, line_intervals - i);
+            const double weight = from_end < end_weights.size() ? end_weights[from_end] : 1;
+            add_point(rule, {2.0 * static_cast<double>(i) / line_intervals - 1, 0}, 2 * weight / line_intervals);
+        }
     } else {
-        const auto points = in_parts(simpson, quadrilateral_parts);
+        const auto points = simpson_in_parts(quadrilateral_parts);
         for (const auto& [t, v] : points)
             for (const auto& [s, w] : points) add_point(rule, {s, t}, v * w);
     }
@@ -166,6 +172,15 @@ SampleRule sample_rule(mesh::CellType facet) {
             rule.dN.push_back({value.gradient[0], shape == mesh::Shape::line ? 0 : value.gradient[1]});
         }
     return rule;
+}
+
+double contact_distance_m(const ContactSurface::Entry& entry, const FacetPoint& xi) {
+    std::array<mesh::ShapeValue, 4> shapes;
+    const auto values = std::span{shapes}.first(entry.corners.size());
+    mesh::shape_values(linear_facet(entry.corners.size()), {xi[0], xi[1], 0}, values);
+    double h_m = 0;
+    for (std::size_t a = 0; a < values.size(); ++a) h_m += values[a].value * entry.corner_h_m[a];
+    return h_m;
 }
 
 bool are_facing(const ContactSurface::Entry& entry, std::size_t q, const Patch& other, const ClosestPoint& closest) {
@@ -266,16 +281,9 @@ void ContactSurface::set_contact_distances(double share) {
             ++sizes[corner].count;
         }
     for (Entry& entry : entries_) {
-        const mesh::CellType linear = linear_facet(entry.corners.size());
-        for (const FacetPoint& xi : entry.rule->xi) {
-            double h = 0;
-            std::size_t a = 0;
-            for (const mesh::ShapeValue& value : mesh::shape_values(linear, {xi[0], xi[1], 0})) {
-                const Mean& mean = sizes.at(entry.corners[a++]);
-                h += value.value * share * mean.sum / mean.count;
-            }
-            entry.h_m.push_back(h);
-        }
+        for (const std::size_t corner : entry.corners)
+            entry.corner_h_m.push_back(share * sizes.at(corner).sum / sizes.at(corner).count);
+        for (const FacetPoint& xi : entry.rule->xi) entry.h_m.push_back(contact_distance_m(entry, xi));
         entry.distance_m = *std::ranges::max_element(entry.h_m);
         entry.range_m = std::max(entry.distance_m, overlap_share_of_size * entry.size_m);
         distance_m_ = std::max(distance_m_, entry.distance_m);

@@ -13,7 +13,7 @@
 namespace soft::contact {
 
 /// Points and weights on a reference facet. Corners and edges are among the points, so that a corner does not slip through between them.
-///   line: Gauss-Lobatto, 5 points in each quarter (exact to degree 7); quadrilateral: Simpson's rule in each third of both directions;
+///   line: 65 points at equal distances, by Gregory's rule (exact to degree 5); quadrilateral: Simpson's rule in each third of both directions;
 ///   triangle: four times the rule with corners (1/20), middles of edges (2/15) and centroid (9/20), exact to degree 3.
 struct SampleRule {
     std::vector<surface::FacetPoint> xi;
@@ -56,12 +56,13 @@ public:
         Patch undeformed{};
         double size_m = 0;
         const SampleRule* rule = nullptr;
-        std::vector<mesh::Point> X;     ///< undeformed sample points
-        std::vector<double> weight_m2;  ///< undeformed area of the sample points, 2 pi R included
-        double stiffness_Pa = 0;        ///< k
-        std::vector<double> h_m;        ///< contact distance of the sample points
-        double distance_m = 0;          ///< the largest of them
-        double range_m = 0;             ///< facets farther than this do not act on its points
+        std::vector<mesh::Point> X;      ///< undeformed sample points
+        std::vector<double> weight_m2;   ///< undeformed area of the sample points, 2 pi R included
+        double stiffness_Pa = 0;         ///< k
+        std::vector<double> corner_h_m;  ///< contact distance of the corners, linear between them
+        std::vector<double> h_m;         ///< of the sample points
+        double distance_m = 0;           ///< the largest of them
+        double range_m = 0;              ///< facets farther than this do not act on its points
     };
     [[nodiscard]] std::span<const Entry> entries() const { return entries_; }
     [[nodiscard]] std::size_t free_count() const {
@@ -105,6 +106,9 @@ private:
 /// Whether two cells with these corners have a common side: between their facets without a common node lies rubber.
 [[nodiscard]] bool share_a_side(std::span<const mesh::Index> corners, std::span<const mesh::Index> others,
                                 int dimension);
+
+/// Contact distance of a facet of the actuator.
+[[nodiscard]] double contact_distance_m(const ContactSurface::Entry& entry, const surface::FacetPoint& xi);
 
 /// Whether air, not rubber, lies between a sample point and the closest point of another facet in the undeformed state, or they touch there.
 [[nodiscard]] bool are_facing(const ContactSurface::Entry& entry, std::size_t q, const Patch& other,

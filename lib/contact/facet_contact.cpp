@@ -162,8 +162,17 @@ bool FacetContact::is_at(std::size_t q, const ContactSurface::Entry& other) cons
     return neighbours || !are_facing(entry_, q, other.undeformed, closest);
 }
 
+bool FacetContact::may_touch(std::size_t q, const Point& x) const {
+    return std::ranges::any_of(others_, [&](std::size_t j) {
+        const double acts_m = std::max(entry_.h_m[q], at_.surface.entries()[j].distance_m),
+                     range_m = std::max(acts_m, overlap_share_of_size * entry_.size_m);
+        return height_above(at_.patches[j], x) <= acts_m && at_least(at_.patches[j], x) <= range_m;
+    });
+}
+
 void FacetContact::add_features(std::size_t q, const Point& x) {
-    std::map<int, std::vector<std::size_t>> facets;  // by obstacle, -1: the actuator
+    std::map<int, std::vector<NearFacet>> facets;  // by obstacle, -1: the actuator
+    const bool is_apart = !may_touch(q, x);
     bool touches = false;
     for (std::size_t k = 0; k < others_.size(); ++k) {
         const std::size_t j = others_[k];
@@ -171,7 +180,7 @@ void FacetContact::add_features(std::size_t q, const Point& x) {
         const Patch& patch = at_.patches[j];
         const double h = entry_.h_m[q], range = std::max(h, overlap_share_of_size * entry_.size_m);
         const bool in_front = at_.rests && height_above(patch, x) > h;
-        if (const double beyond = at_least(patch, x); in_front || beyond > range) {
+        if (const double beyond = at_least(patch, x); is_apart || in_front || beyond > range) {
             clearances_m_[k] = std::min(clearances_m_[k], beyond - (in_front ? h : range));
             continue;
         }
@@ -182,7 +191,7 @@ void FacetContact::add_features(std::size_t q, const Point& x) {
         clearances_m_[k] = std::min(clearances_m_[k], closest.distance_m - (at_.rests && !behind ? h : range));
         if (closest.distance_m > range) continue;
         touches = touches || closest.distance_m < std::max(h, other.distance_m) || behind;
-        facets[other.obstacle].push_back(j);
+        facets[other.obstacle].push_back({j, closest});
     }
     if (!touches) return;
     for (const auto& [obstacle, list] : facets) add_features_of(q, x, list);
@@ -213,7 +222,7 @@ bool FacetContact::is_beside(std::size_t q, const Point& x, const Feature& facet
 /// the same closest point must cancel. An obstacle is closed: a point is in it only behind the closest of all its facets, and the other
 /// side of a thin one does not act. Nor does a facet of the actuator behind which the point has been from the start, as the end face of a block
 /// beside whose edge the point has passed through a side.
-void FacetContact::add_features_of(std::size_t q, const Point& x, std::span<const std::size_t> facets) {
+void FacetContact::add_features_of(std::size_t q, const Point& x, std::span<const NearFacet> facets) {
     const std::vector<Feature> features = features_near(at_.surface, at_.patches, facets, x);
     const auto is_facet = [](const Feature& feature) { return feature.kind == Feature::Kind::facet; };
     const auto is_of_obstacle = [&](const Feature& facet) { return at_.surface.entries()[facet.facet].obstacle >= 0; };
@@ -239,11 +248,11 @@ void FacetContact::add_features_of(std::size_t q, const Point& x, std::span<cons
     for (auto& [number, group] : groups)
         group.is_passed = group.closest != nullptr && (!is_of_obstacle(*group.closest) || group.closest == nearest) &&
                           has_passed(q, x, *group.closest);
-    std::vector<std::size_t> others;
+    std::vector<NearFacet> others;
     for (const Feature& facet : features | std::views::filter(is_facet)) {
         const bool is_other_side = is_of_obstacle(facet) && dot(facet.normal, nearest->normal) < 0;
         if (!groups[facet.group].is_passed || (!is_other_side && !unpassed.contains(facet.facet)))
-            others.push_back(facet.facet);
+            others.push_back({facet.facet, facet.closest});
     }
     if (others.size() < facets.size()) return add_features_of(q, x, others);
     Reaches reaches(at_.surface, entry_, q, features);

@@ -77,7 +77,9 @@ private:
     /// Whether a sample point lies, in the undeformed state, on another facet that it does not face, as at a common corner or edge.
     [[nodiscard]] bool is_at(std::size_t q, const ContactSurface::Entry& other) const;
     void add_features(std::size_t q, const mesh::Point& x);
-    void add_features_of(std::size_t q, const mesh::Point& x, std::span<const std::size_t> facets);
+    void add_features_of(std::size_t q, const mesh::Point& x, std::span<const NearFacet> facets);
+    /// Whether the bounding boxes leave it open that the point touches one of the facets or lies behind it.
+    [[nodiscard]] bool may_touch(std::size_t q, const mesh::Point& x) const;
     /// Whether the point lies behind a facet, or in its plane, through which it has not passed.
     [[nodiscard]] bool is_beside(std::size_t q, const mesh::Point& x, const Feature& facet) const;
     /// Whether the point has passed through the facet closest to it.

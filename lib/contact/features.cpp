@@ -67,14 +67,14 @@ Vector3 boundary_normal(const ContactSurface& surface, std::span<const Patch> pa
 }  // namespace
 
 std::vector<Feature> features_near(const ContactSurface& surface, std::span<const Patch> patches,
-                                   std::span<const std::size_t> facets, const mesh::Point& x) {
+                                   std::span<const NearFacet> facets, const mesh::Point& x) {
     std::vector<Feature> features;
     std::vector<Edge> edges;
     std::vector<Corner> corners;
-    for (const std::size_t j : facets) {
+    for (const auto& [j, closest] : facets) {
         const auto& map = patches[j];
         const auto& numbers = surface.entries()[j].corners;
-        Feature facet{Feature::Kind::facet, j, 0, closest_point(map, x)};
+        Feature facet{Feature::Kind::facet, j, 0, closest};
         facet.normal = unit_normal(map, facet.closest.xi);
         features.push_back(facet);
         for (std::size_t k = 0; k < numbers.size(); ++k) {

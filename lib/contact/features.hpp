@@ -24,8 +24,13 @@ struct Feature {
     std::size_t group = 0;    ///< features of facets that share corners, directly or through others, have the same
 };
 
-/// `facets`: entries of the surface.
+/// An entry of the surface, and its point closest to x.
+struct NearFacet {
+    std::size_t facet = 0;
+    ClosestPoint closest;
+};
+
 [[nodiscard]] std::vector<Feature> features_near(const ContactSurface& surface, std::span<const Patch> patches,
-                                                 std::span<const std::size_t> facets, const mesh::Point& x);
+                                                 std::span<const NearFacet> facets, const mesh::Point& x);
 
 }  // namespace soft::contact

@@ -6,24 +6,11 @@
 
 namespace soft::contact {
 
-namespace {
-
-/// Contact distance of the sample point next to xi.
-double distance_at(const ContactSurface::Entry& entry, const surface::FacetPoint& xi) {
-    const auto square = [&](const surface::FacetPoint& at) {
-        return (at[0] - xi[0]) * (at[0] - xi[0]) + (at[1] - xi[1]) * (at[1] - xi[1]);
-    };
-    const auto next = std::ranges::min_element(entry.rule->xi, {}, square);
-    return entry.h_m[static_cast<std::size_t>(next - entry.rule->xi.begin())];
-}
-
-}  // namespace
-
 Reach Reaches::find(const Feature& facet) const {
     const auto& other = surface_.entries()[facet.facet];
     const double h = entry_.h_m[q_];
     if (other.obstacle >= 0) return {h, surface_.initial_overlap_m(entry_, q_, other.obstacle), 0, 0};
-    const double h_other = distance_at(other, facet.closest.xi),
+    const double h_other = contact_distance_m(other, facet.closest.xi),
                  near = std::max(h, other.distance_m) / share_of_initial_gap,
                  bound = at_least(other.undeformed, entry_.X[q_]);
     const ClosestPoint before = bound > near ? ClosestPoint{bound} : closest_point(other.undeformed, entry_.X[q_]);

@@ -152,7 +152,8 @@ TEST_P(PotentialOf, FrictionFollowsCoulombsLaw) {
             EXPECT_NEAR(force_along_y(rest, model), 0, 1e-12 * limit);
             EXPECT_GT(force_along_y(stick, model), 0);
             EXPECT_LT(force_along_y(stick, model), limit);
-            EXPECT_EQ(stick.summary.dissipated_J, 0);
+            // Points beyond the edge of another block hardly touch it, and slide at once.
+            EXPECT_LE(stick.summary.dissipated_J, has_plane ? 0 : 0.01 * limit * 1e-3 * h);
             // Points beyond the edge of another block have inclined normals.
             const double tolerance = has_plane ? 1e-9 * limit : 0.05 * limit;
             EXPECT_NEAR(force_along_y(slide, model), mu * normal_force(slide), tolerance);

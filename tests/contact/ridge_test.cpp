@@ -122,5 +122,30 @@ TEST(Edge, PressesOnAPlateWithoutAJump) {
     EXPECT_NEAR(energy_J(-1e-9), energy_J(1e-9), 1e-5 * energy_J(1e-9));
 }
 
+/// A right-angled edge slides over the plate along one facet, between its sample points and over them.
+TEST(Edge, PressesEvenlyWhileItSlides) {
+    test::MeshBuilder builder(2);
+    builder.add_block(test::box({-2, 3}, {-1, 0}), 5, 1, 1);
+    builder.add_block(test::box({0, 1}, {1, 2}), 1, 1, 1);
+    const model::Case model = with_contact(test::make_case(builder.take(), model::Kinematics::plane_strain));
+    Potential potential(model, std::array{1e6});
+    double least_J = INFINITY, most_J = 0;
+    for (double at = 0.2; at < 0.8; at += 0.002) {
+        auto positions = model.mesh.points;
+        for (mesh::Point& x : positions)
+            if (x[1] > 0.5)
+                x = {at + std::numbers::sqrt2 / 2 * (x[0] - x[1] + 1),
+                     0.01 + std::numbers::sqrt2 / 2 * (x[0] + x[1] - 1), 0};
+        const double energy_J =
+            potential
+                .evaluate(
+                    positions, {}, Wanted::gradient, [](mesh::Index) { return true; }, [](const Block&) {})
+                .energy_J;
+        least_J = std::min(least_J, energy_J);
+        most_J = std::max(most_J, energy_J);
+    }
+    EXPECT_LT(most_J, 1.3 * least_J);
+}
+
 }  // namespace
 }  // namespace soft::contact
