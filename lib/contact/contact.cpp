@@ -14,6 +14,7 @@
 #include "contact/crossing.hpp"
 #include "contact/hinges.hpp"
 #include "contact/inverted_wall.hpp"
+#include "contact/prescribed.hpp"
 #include "contact/signed_distance.hpp"
 #include "mesh/mesh.hpp"
 #include "model/location.hpp"
@@ -35,21 +36,11 @@ struct Found {
     Point location;
     std::array<std::size_t, 2> facets;
     std::size_t obstacle = 0;
+    bool is_driven = false;
     bool operator<(const Found& other) const {
         return std::tie(location[0], facets, kind) < std::tie(other.location[0], other.facets, other.kind);
     }
 };
-
-/// Face names for messages. The wall of a cavity takes precedence over other faces, which are in alphabetical order.
-std::map<Facet, std::string> face_names(const model::Case& model) {
-    std::map<Facet, std::string> names;
-    for (const model::Cavity& cavity : model.cavities)
-        if (const auto wall = model.mesh.facet_sets.find(cavity.wall); wall != model.mesh.facet_sets.end())
-            for (const Facet& facet : wall->second) names.emplace(facet, cavity.wall);
-    for (const auto& [name, facets] : model.mesh.facet_sets)
-        for (const Facet& facet : facets) names.emplace(facet, name);
-    return names;
-}
 
 /// How far a facet extends beyond a plane or into an obstacle.
 struct Depth {
@@ -87,19 +78,20 @@ public:
           kinematics_(model.kinematics),
           mirrors_(surface::mirrors(model)),
           free_(surface::free_facets(model)),
-          names_(face_names(model)),
+          names_(surface::face_names(model)),
           facets_(mesh_, free_),
           undeformed_(facets_.shape(mesh_.points)),
           tolerance_m_(mesh::plane_tolerance * mesh::extent_m(mesh_)),
           rounding_m_(rounding * mesh::extent_m(mesh_)),
-          allowed_share_(model.path.contact == model::Contact::solve ? model.contact.distance : 0) {
+          allowed_share_(model.path.contact == model::Contact::solve ? model.contact.distance : 0),
+          prescribed_(model) {
         for (std::size_t d = 0; d < 3; ++d) {
             double sum = 0;
             for (const Point& p : mesh_.points) sum += p[d];
             sides_[d] = sum < 0 ? -1 : 1;
         }
         for (const model::Obstacle& obstacle : model.obstacles)
-            obstacles_.push_back({obstacle.name, signed_distance(obstacle)});
+            obstacles_.push_back({obstacle.name, distance_with_gradient(obstacle)});
         exclude_initial_contacts();
     }
 
@@ -144,9 +136,14 @@ public:
                     }
         for (std::size_t k = 0; allowed_share_ > 0 && k < obstacles_.size(); ++k)
             for (std::size_t f = 0; f < facets_.size(); ++f) {
-                const Depth at = depth_in(k, f, positions, now.boxes[f], shifts.empty() ? Vector3{} : shifts[k]);
+                const Vector3 shift = shifts.empty() ? Vector3{} : shifts[k];
+                const Depth at = depth_in(k, f, positions, now.boxes[f], shift);
                 if (at.depth_m > std::max(tolerance_m_, allowed_depth_m(f)))
-                    keep({Kind::obstacle, undeformed_location(f, at.xi), {f, f}, k});
+                    keep({Kind::obstacle,
+                          undeformed_location(f, at.xi),
+                          {f, f},
+                          k,
+                          is_driven(k, f, at, shift, positions)});
             }
         return best ? std::optional(contact(*best)) : std::nullopt;
     }
@@ -309,11 +306,17 @@ private:
     /// In an obstacle that has moved by `shift`; 0 for a facet that is far outside.
     [[nodiscard]] Depth depth_in(std::size_t k, std::size_t f, std::span<const Point> positions,
                                  const surface::Box& box, const Vector3& shift) const {
-        const auto depth_m = [&](const Point& x) { return -obstacles_[k].distance(difference(x, shift)); };
+        const auto depth_m = [&](const Point& x) { return -obstacles_[k].distance(difference(x, shift)).value_m; };
         Point centre{};
         for (std::size_t d = 0; d < 3; ++d) centre[d] = 0.5 * (box.low[d] + box.high[d]);
         if (-depth_m(centre) > norm(difference(box.high, box.low))) return {};
         return deepest(surface::facet_map(mesh_, facets_.facet(f), positions), facets_.division(f), depth_m);
+    }
+
+    [[nodiscard]] bool is_driven(std::size_t k, std::size_t f, const Depth& at, const Vector3& shift,
+                                 std::span<const Point> positions) const {
+        const Point x = surface::facet_map(mesh_, facets_.facet(f), positions)(at.xi).x;
+        return prescribed_.hold(mesh_, facets_.facet(f), at.xi, obstacles_[k].distance(difference(x, shift)).gradient);
     }
 
     [[nodiscard]] Kind kind_of(std::size_t d) const {
@@ -331,6 +334,7 @@ private:
         Contact result{found.location,
                        {facets_.facet(found.facets[0]), facets_.facet(found.facets[1])},
                        found.kind == Kind::wall,
+                       found.is_driven,
                        {}};
         const auto name = [&](int which) {
             const auto at = names_.find(result.facets[static_cast<std::size_t>(which)]);
@@ -344,7 +348,8 @@ private:
         else if (found.kind == Kind::plane)
             result.text = face + " touches its mirror image";
         else if (found.kind == Kind::obstacle)
-            result.text = face + " touches the obstacle '" + obstacles_[found.obstacle].name + "'";
+            result.text = face + (found.is_driven ? ", whose motion is prescribed, meets" : " touches") +
+                          " the obstacle '" + obstacles_[found.obstacle].name + "'";
         else if (found.kind == Kind::wall && found.facets[0] == found.facets[1])
             result.text = "the wall between " + face + " and its mirror image is inverted";
         else if (found.kind == Kind::wall)
@@ -375,9 +380,10 @@ private:
     std::vector<Hinge> hinges_;  ///< none where contact is solved
     struct Obstacle {
         std::string name;
-        SignedDistance distance;
+        std::function<Distance(const Point&)> distance;
     };
     std::vector<Obstacle> obstacles_;
+    PrescribedNodes prescribed_;
 };
 
 ContactFinder::ContactFinder(const model::Case& model) : surface_(std::make_unique<Surface>(model)) {}

@@ -30,6 +30,7 @@ struct Contact {
     std::array<mesh::Facet, 2>
         facets;                ///< ascending; twice the same facet for contact with a plane, the axis or an obstacle
     bool is_inverted = false;  ///< not a contact: the wall has passed through itself
+    bool is_driven = false;    ///< into an obstacle by its prescribed displacement
     std::string text;          ///< "the faces cavity and outer touch at x = 12.3 mm, r = 4.5 mm of the undeformed part"
 };
 

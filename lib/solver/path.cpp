@@ -31,6 +31,8 @@ constexpr double arc_of_one_cell = 1e-3;
 constexpr double step_after_contact = 0.05;
 /// Of a failed step.
 constexpr double cut_of_failed_step = 0.4;
+/// Of steps in which a prescribed displacement meets an obstacle, until the path ends there.
+constexpr int failures_before_driven = 6;
 
 void check_case(const model::Case& input) {
     if (const auto motion = fem::free_rigid_motion(input))
@@ -44,19 +46,6 @@ model::LimitPoint location_of(const PathPoint& point, const PathState& path, con
     model::LimitPoint location{path.rows, point.leading, std::nullopt, point.outputs};
     if (!system.input().loads.empty() && system.volumes().has_volume(0)) location.volume_m3 = point.load_volumes_m3[0];
     return location;
-}
-
-std::string attempt_text(double step, double next, const NewtonResult& result) {
-    return "step of " + short_text(step) + " failed (" + std::string(text_of(result.end)) + ", " +
-           core::counted(result.iterations, "iteration") + ", " + core::counted(result.halvings, "halving") +
-           " of the line search, residual " + short_text(result.residual) + ", min det F " +
-           short_text(result.min_jacobian) + "): cut to " + short_text(next);
-}
-
-std::string row_text(const PathPoint& point, const PredictorError& error, int iterations) {
-    const auto& modes = point.tangent.unstable_modes;
-    return ", predictor error " + short_text(error.state) + " (load " + short_text(error.load) + "), " +
-           core::counted(iterations, "iteration") + (modes ? ", unstable modes " + std::to_string(*modes) : "");
 }
 
 }  // namespace
@@ -150,10 +139,12 @@ void PathFollower::step() {
     const Goal* goal = aim.crossing && !contact ? aim.crossing->goal : nullptr;
     if (pass_goals(point, goal)) touch.reset();
     if (!point) return recover();
-    if (!contact && !touch && goal == nullptr && point->touches == path_.last->touches)
-        if (auto found = snap_over(*point, corrector_, path_, listeners_))
-            return go_on_after_snap(std::move(*found), "a small part snaps to ");
+    const bool may_snap = !contact && !touch && goal == nullptr && point->touches == path_.last->touches;
+    if (auto found = may_snap ? snap_over(*point, corrector_, path_, listeners_) : std::nullopt)
+        return go_on_after_snap(std::move(*found), "a small part snaps to ");
     Events events = events_before(*point, corrector_, path_, listeners_);
+    if (auto found = may_snap ? snap_off(*point, events, corrector_, path_, listeners_) : std::nullopt)
+        return go_on_after_snap(std::move(*found), "contact snaps to ");
     const bool is_located = touch.has_value();
     if (!is_located) touch = first_contact_before(*point, corrector_, path_, WithContact::yes);
     const bool at_goal = !is_located && touch && goal != nullptr && is_beside(*touch, *point, taken);
@@ -315,10 +306,12 @@ void PathFollower::recover() {
     const bool may_be_kink = may_have_kinks(system_, *path_.last) && attempt.end != NewtonEnd::not_finite &&
                              (failures >= failures_before_kink || too_short);
     const bool may_snap = may_be_kink && path_.last->touches && (failures == failures_before_kink || too_short);
+    if (path_.attempts.crossing && path_.attempts.crossing->is_driven && failures >= failures_before_driven)
+        return finish(unresolved(*path_.attempts.crossing, describe(*path_.last)));
     const double first_attempt = failed / std::pow(cut_of_failed_step, failures - 1);
     if (auto found = may_snap ? snap(corrector_, path_, listeners_, first_attempt) : std::nullopt)
         return go_on_after_snap(std::move(*found), "contact snaps to ");
-    if (auto point = may_be_kink ? pass_kink(corrector_, path_, failed) : std::nullopt;
+    if (auto point = may_be_kink && !path_.attempts.crossing ? pass_kink(corrector_, path_, failed) : std::nullopt;
         point && !breaks_energy_balance(corrector_, path_, *point) && !find_crossing(corrector_, listeners_, *point)) {
         const Goal* goal = nullptr;
         if (const auto crossing = first_between(path_.goals, *path_.last, *point)) {

@@ -49,9 +49,11 @@ using Log = std::function<void(const std::string&)>;
 using CheckpointSink = std::function<void(const model::Checkpoint&)>;
 
 /// Walls that touch in a state, or that have passed through themselves: inverted_element. `text`: "the faces ... at x = ...".
+/// `is_driven`: into an obstacle, by a prescribed displacement.
 struct ContactEvent {
     std::string text;
     model::StopReason reason = model::StopReason::self_contact;
+    bool is_driven = false;
     /// Message for a path that ends in this state; `state`: its values.
     [[nodiscard]] std::string end_at(const std::string& state) const {
         const bool inverted = reason == model::StopReason::inverted_element;

@@ -182,8 +182,11 @@ std::optional<Stop> stop_at_row(const PathState& path, fem::System& system) {
 }
 
 Stop unresolved(const ContactEvent& crossing, const std::string& state) {
-    return {crossing.reason,
-            crossing.text + " at " + state + ", and the contact is not resolved; use smaller cells there (mesh.size)"};
+    const std::string text = crossing.text + " at " + state;
+    if (crossing.is_driven)
+        return {crossing.reason,
+                text + ", which does not give way; end the path before (path.until), or move the obstacle"};
+    return {crossing.reason, text + ", and the contact is not resolved; use smaller cells there (mesh.size)"};
 }
 
 bool is_nearly_inverted(const NewtonResult& attempt) { return attempt.min_jacobian < nearly_inverted; }

@@ -36,4 +36,17 @@ std::string location_text(mesh::Index cell, const model::Case& input) {
     return text + " of the undeformed part";
 }
 
+std::string attempt_text(double step, double next, const NewtonResult& result) {
+    return "step of " + short_text(step) + " failed (" + std::string(text_of(result.end)) + ", " +
+           core::counted(result.iterations, "iteration") + ", " + core::counted(result.halvings, "halving") +
+           " of the line search, residual " + short_text(result.residual) + ", min det F " +
+           short_text(result.min_jacobian) + "): cut to " + short_text(next);
+}
+
+std::string row_text(const PathPoint& point, const PredictorError& error, int iterations) {
+    const auto& modes = point.tangent.unstable_modes;
+    return ", predictor error " + short_text(error.state) + " (load " + short_text(error.load) + "), " +
+           core::counted(iterations, "iteration") + (modes ? ", unstable modes " + std::to_string(*modes) : "");
+}
+
 }  // namespace soft::solver

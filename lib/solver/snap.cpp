@@ -211,6 +211,17 @@ std::optional<Snap> snap(Corrector& corrector, PathState& path, const Listeners&
     return std::nullopt;
 }
 
+std::optional<Snap> snap_off(const PathPoint& beyond, const Events& events, Corrector& corrector, PathState& path,
+                             const Listeners& listeners) {
+    const PathPoint& last = *path.last;
+    const auto before = branch_index(path, last), after = branch_index(path, beyond);
+    const auto bifurcates = [](const Event& event) { return event.kind == Event::Kind::bifurcation; };
+    if (!last.touches || !beyond.touches || !before || !after || *after <= *before ||
+        std::ranges::any_of(events.list, bifurcates))
+        return std::nullopt;
+    return snap(corrector, path, listeners, beyond.q - last.q);
+}
+
 std::optional<Snap> snap_over(const PathPoint& beyond, Corrector& corrector, PathState& path,
                               const Listeners& listeners) {
     if (path.control.kind != ConstraintKind::arc) return std::nullopt;

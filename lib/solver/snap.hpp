@@ -29,6 +29,10 @@ struct Snap {
 /// instead.
 [[nodiscard]] std::optional<Snap> snap(Corrector& corrector, PathState& path, const Listeners& listeners, double step);
 
+/// The same, where a step in contact has converged to a less stable state, and no bifurcation is found before it: it lies beyond a fold.
+[[nodiscard]] std::optional<Snap> snap_off(const PathPoint& beyond, const Events& events, Corrector& corrector,
+                                           PathState& path, const Listeners& listeners);
+
 /// The same, where the rubber is crushed at a point, beyond a sharp fold between the last row and `beyond`, which an arc length has passed;
 /// nullopt also where the path does not turn back there, the load or a volume would jump, or no energy is set free.
 [[nodiscard]] std::optional<Snap> snap_over(const PathPoint& beyond, Corrector& corrector, PathState& path,

@@ -30,4 +30,14 @@ std::vector<mesh::Facet> free_facets(const model::Case& model) {
     return facets;
 }
 
+std::map<mesh::Facet, std::string> face_names(const model::Case& model) {
+    std::map<mesh::Facet, std::string> names;
+    for (const model::Cavity& cavity : model.cavities)
+        if (const auto wall = model.mesh.facet_sets.find(cavity.wall); wall != model.mesh.facet_sets.end())
+            for (const mesh::Facet& facet : wall->second) names.emplace(facet, cavity.wall);
+    for (const auto& [name, facets] : model.mesh.facet_sets)
+        for (const mesh::Facet& facet : facets) names.emplace(facet, name);
+    return names;
+}
+
 }  // namespace soft::surface

@@ -2,6 +2,8 @@
 /// The physical surface of the body: the boundary of the mesh without the facets on symmetry planes.
 /// Tested by surface/wall_test and contact/contact_test.
 #include <array>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "model/case.hpp"
@@ -14,5 +16,8 @@ namespace soft::surface {
 
 /// Boundary facets (of exactly one cell) that do not lie on a mirror plane in the undeformed body, in ascending order.
 [[nodiscard]] std::vector<mesh::Facet> free_facets(const model::Case& model);
+
+/// Face names for messages. The wall of a cavity takes precedence over other faces, which are in alphabetical order.
+[[nodiscard]] std::map<mesh::Facet, std::string> face_names(const model::Case& model);
 
 }  // namespace soft::surface

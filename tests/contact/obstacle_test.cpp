@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "../fem/block_mesh.hpp"
+#include "contact/contact.hpp"
 #include "contact/potential.hpp"
 #include "potential_samples.hpp"
 
@@ -213,6 +214,21 @@ TEST(AxisOfRevolution, RepelsWhatIsPressedOntoIt) {
         EXPECT_GT(outward, force) << radius;
         force = outward;
     }
+}
+
+/// A face that is moved into an obstacle cannot give way, unless it may slide along an inclined one; the other faces can.
+TEST(Obstacle, WhatIsDrivenIntoItIsTold) {
+    for (const bool is_inclined : {false, true})
+        for (const bool is_moved : {false, true}) {
+            model::Case model = block_before(
+                {"wall", model::Plane{{2, 0, 0}, is_inclined ? Vector3{-0.8, 0.6, 0} : Vector3{-1, 0, 0}}, 0});
+            if (is_moved) model.motions.push_back({"boundary", {0.0, std::nullopt, std::nullopt}});
+            std::vector<double> displacement_m(3 * model.mesh.points.size());
+            for (std::size_t n = 0; n < model.mesh.points.size(); ++n) displacement_m[3 * n] = 1.3;
+            const auto found = ContactFinder(model).find(displacement_m);
+            ASSERT_TRUE(found);
+            EXPECT_EQ(found->is_driven, is_moved && !is_inclined);
+        }
 }
 
 }  // namespace

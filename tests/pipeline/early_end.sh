@@ -146,3 +146,18 @@ run 'solve -q bulging.h5 --set path.control=pressure --json pressure.json -o pre
 claim "a path under pressure control ends at the maximum, not on another branch" has 'the load has a maximum at 13.7616 kPa, elongation 146.259 mm*' pressure.json detail
 run 'solve -q bulging.h5 --set path.control=volume --set path.until.volume_ratio=12 --json volume.json -o volume.h5'
 claim "the volume has a maximum soon after that of the pressure" has 'the volume has a maximum at 13.7591 kPa*' volume.json detail
+
+# A face that is pushed into a wall: nothing gives way.
+cat > pushed.yaml <<'DESIGN'
+family: rod
+geometry: {length: 40 mm, width: 8 mm, height: 8 mm}
+material: {law: neo-hookean, mu: 0.1 MPa}
+supports: {fixed: fixed}
+loads: {end: {displacement: 10 mm, along: x}}
+obstacles: {wall: {plane: {point: [45 mm, 0 mm, 0 mm], normal: [-1, 0, 0]}}}
+outputs: {elongation: {face: end, measure: displacement, along: x}}
+DESIGN
+run 'mesh-gen -q pushed.yaml | solve --json pushed.json -o pushed.h5'
+claim "a face that is moved into an obstacle ends the path" exits 2
+claim "... with the reason" has "*, whose motion is prescribed, meets the obstacle 'wall'*does not give way*" pushed.json detail
+claim "... where they meet, up to the contact distance" within "$(postprocess -q pushed.h5 | column elongation_mm /dev/stdin | tail -n 1)" 4.9 5.15
