@@ -258,7 +258,8 @@ ExitCode run(const OptimizeOptions& options) {
     cli::write_output(options.common.output, found_design(goal, found, bases.front(), folder, lines));
     for (const std::string& line : lines) console.say(line);
     if (found.violation <= 0) return ExitCode::ok;
-    console.error("no such design: the nearest of " + std::to_string(found.trials) + " trials is printed");
+    console.error("no such design is found: the nearest of " + std::to_string(found.trials) +
+                  " trials is printed; try more --starts, or other ranges of vary");
     return ExitCode::stopped_early;
 }
 

@@ -226,8 +226,8 @@ std::vector<std::string> unused_values(const PathParts& parts, const Values& val
     for (std::size_t i = 0; i < parts.entries.size(); ++i) {
         const std::string& own = parts.entries[i].value;
         const auto acts = [&](const StageLoad& load) {
-            return load.index == i && load.what != Prescription::closed && quantity(load.value) == quantity(own) &&
-                   values.number(load.value) == values.number(own);
+            return load.index == i && quantity(load.value) == quantity(own) &&
+                   (load.what == Prescription::closed || values.number(load.value) == values.number(own));
         };
         const auto is_full = [&](const StageEntry& stage) { return std::ranges::any_of(stage.loads, acts); };
         if (parts.entries[i].form->kind != LoadKind::shared_gas && std::ranges::none_of(parts.stages, is_full))

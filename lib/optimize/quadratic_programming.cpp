@@ -9,7 +9,7 @@ namespace soft::optimize {
 namespace {
 
 constexpr int max_trials_of_a_start = 40, max_restarts = 12;
-constexpr double step_tolerance = 1e-4, value_tolerance = 1e-4;
+constexpr double step_tolerance = 1e-4;
 /// Gain of the objective by a restart, below which no other follows.
 constexpr double restart_tolerance = 1e-3;
 /// Half the side of the smallest box around a trial that meets all conditions.
@@ -147,7 +147,6 @@ InBox Box::run() {
     if (!constraints_.empty())
         optimizer.add_inequality_mconstraint(differences_of, this, std::vector<double>(constraints_.size(), 0.0));
     optimizer.set_xtol_rel(step_tolerance);
-    optimizer.set_ftol_rel(value_tolerance);
     optimizer.set_maxeval(max_trials_of_a_start);
     double smallest = 0;
     try {

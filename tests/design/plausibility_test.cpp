@@ -36,6 +36,12 @@ TEST(Plausibility, WarnsAboutAPressureFarBelowTheModulus) {
     EXPECT_TRUE(read(minimal_design, {{"loads.cavity.pressure", "10 Pa"}}).warnings.empty());
 }
 
+TEST(Plausibility, AClosedValveActsWithoutStages) {
+    const std::vector<Override> valve{{"loads", "{cavity: {valve: closed}, outer: {pressure: 5 kPa}}"}};
+    const Design design = read(minimal_design, valve);
+    EXPECT_TRUE(design.warnings.empty()) << design.warnings[0];
+}
+
 TEST(Plausibility, WarnsAboutALoadThatContinuesToChangeInAHoldStage) {
     const auto stages = [](const std::string& until, const std::string& hold) {
         return std::vector<Override>{

@@ -56,6 +56,20 @@ TEST(Search, FindsAConstrainedMinimum) {
     EXPECT_NEAR(found.trial.objective.value_SI, 2, 3e-3);
 }
 
+/// Smallest x with x y >= 500: the first steps from x = 5 follow the bound x = 2 outside of what is allowed, with equal objectives.
+TEST(Search, GoesOnAlongABoundWhereTheConditionIsNotMet) {
+    const Goal goal = goal_of({variable("x", 2, 12), variable("y", 20, 400)}, {condition(below, 1)}, true);
+    const auto stretch = [](const std::vector<double>& v) {
+        const double c = 500 / (v[0] * v[1]);
+        return Trial{"", {{c, {-c / v[0], -c / v[1]}}}, {v[0], {1, 0}}, true};
+    };
+    for (const auto& start : {std::vector<double>{5, 101}, {4, 150}, {10, 60}}) {
+        const Found found = search(goal, start, {1}, stretch, silent);
+        EXPECT_EQ(found.violation, 0);
+        EXPECT_NEAR(found.values[0], 2, 1e-3);
+    }
+}
+
 TEST(Search, WithoutAnObjectiveMeetsTheTargets) {
     const Goal goal = goal_of({variable("x", 0.1, 4), variable("y", 0.1, 4)}, {condition(equal, 1)}, false);
     const Found found = search(goal, {3, 3}, {1}, hyperbola, silent);

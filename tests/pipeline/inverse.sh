@@ -92,7 +92,7 @@ goal 'vary: {geometry.wall: {from: 2 mm, to: 4 mm}}
 targets: [{elongation: 60 mm, at: {pressure: 20 kPa}}]'
 run 'optimize goal.yaml --starts 1 -o nearest.yaml'
 claim "a goal that cannot be reached gives exit code 2" exits 2
-claim "the message says so" grep -q '^optimize: no such design: the nearest of' "$seen/err"
+claim "the message says so" grep -q '^optimize: no such design is found: the nearest of' "$seen/err"
 claim "the nearest design is printed with what is not met" grep -q '^# elongation at pressure 20 kPa: .*, wanted 60 mm: not met' nearest.yaml
 claim "and the end of the range" grep -q '^# geometry.wall: 4 mm, at the end of its range' nearest.yaml
 
