@@ -348,7 +348,7 @@ private:
         else if (found.kind == Kind::plane)
             result.text = face + " touches its mirror image";
         else if (found.kind == Kind::obstacle)
-            result.text = face + (found.is_driven ? ", whose motion is prescribed, meets" : " touches") +
+            result.text = face + (found.is_driven ? ", whose displacement is prescribed, meets" : " touches") +
                           " the obstacle '" + obstacles_[found.obstacle].name + "'";
         else if (found.kind == Kind::wall && found.facets[0] == found.facets[1])
             result.text = "the wall between " + face + " and its mirror image is inverted";

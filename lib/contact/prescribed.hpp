@@ -1,5 +1,5 @@
 #pragma once
-/// The nodes whose displacement is prescribed, by a support or a moved face. Private to the module. Tested by contact/contact_test.
+/// The nodes whose displacement is prescribed, by a support or a moved face. Private to the module. Tested by contact/obstacle_test.
 #include <array>
 #include <map>
 

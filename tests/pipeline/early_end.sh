@@ -159,5 +159,5 @@ outputs: {elongation: {face: end, measure: displacement, along: x}}
 DESIGN
 run 'mesh-gen -q pushed.yaml | solve --json pushed.json -o pushed.h5'
 claim "a face that is moved into an obstacle ends the path" exits 2
-claim "... with the reason" has "*, whose motion is prescribed, meets the obstacle 'wall'*does not give way*" pushed.json detail
+claim "... with the reason" has "*, whose displacement is prescribed, meets the obstacle 'wall'*does not give way*" pushed.json detail
 claim "... where they meet, up to the contact distance" within "$(postprocess -q pushed.h5 | column elongation_mm /dev/stdin | tail -n 1)" 4.9 5.15
