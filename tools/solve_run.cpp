@@ -152,6 +152,8 @@ SolveSummary follow(fem::System& system, const Task& task, const SolveOptions& o
         summary.max_stretch_p99 = std::max(summary.max_stretch_p99, step.stretch_p99);
         if (post::is_crushed_at_a_point(step) && !summary.first_crushed_row) summary.first_crushed_row = summary.steps;
         summary.min_jacobian = std::min(summary.min_jacobian, step.min_jacobian);
+        if (step.energies)
+            summary.largest_work_J = std::max(summary.largest_work_J, std::abs(step.energies->load_work_J));
         if (step.max_stretch > summary.max_stretch_step.max_stretch) summary.max_stretch_step = step;
         ++summary.steps;
         // Materials without a strain energy (asymmetric tangent) have no energy balance.
@@ -266,7 +268,7 @@ ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) 
                  post::path_warnings(model,
                                      {*summary.first, *summary.last, summary.max_stretch_p99, summary.max_stretch_step,
                                       summary.became_unstable, summary.end.limit_points, summary.first_crushed_row,
-                                      summary.min_jacobian, model::is_inelastic(model)},
+                                      summary.min_jacobian, model::is_inelastic(model), summary.largest_work_J},
                                      summary.end.reason))
                 console.warn(line);
         if (const std::string problem = summary.energy.problem(); !problem.empty())

@@ -38,6 +38,7 @@ struct SolveSummary {
     model::Step max_stretch_step;                       ///< the row with the largest max_stretch
     std::optional<int> first_crushed_row;
     double min_jacobian = 1;
+    double largest_work_J = 0;  ///< of the loads, absolute
     std::optional<AccuracySummary> accuracy;
     long long unknowns = 0;
     int steps = 0;  ///< rows of the path after the undeformed state

@@ -126,12 +126,11 @@ void check_crushed(const model::Case& solved, const PathSummary& path, Warnings&
 void check_snaps(const PathSummary& path, Warnings& warnings) {
     constexpr double noticeable = 0.01;
     const auto& energies = path.last.energies;
-    if (path.is_inelastic || !energies ||
-        !(energies->dissipated_J.value_or(0) > noticeable * std::abs(energies->load_work_J)))
+    if (path.is_inelastic || !energies || !(energies->dissipated_J.value_or(0) > noticeable * path.largest_work_J))
         return;
     warnings.push_back("where edges slip, or creases close or form, small parts snap and set energy free, " +
-                       core::rounded_text(100 * *energies->dissipated_J / std::abs(energies->load_work_J), 2) +
-                       " % of the work of the loads (dissipated_energy): compare another mesh.size");
+                       core::rounded_text(100 * *energies->dissipated_J / path.largest_work_J, 2) +
+                       " % of the largest work of the loads (dissipated_energy): compare another mesh.size");
 }
 
 /// Warns if the first load prescribes a pressure beyond its limit point; for a negative pressure the limit point is a minimum.

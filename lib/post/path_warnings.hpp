@@ -20,6 +20,7 @@ struct PathSummary {
     std::optional<int> first_crushed_row = {};  ///< with det F below crushed_jacobian at a point
     double min_jacobian = 1;
     bool is_inelastic = false;  ///< the rubber itself dissipates energy
+    double largest_work_J = 0;  ///< of the loads up to any row, absolute
 };
 
 /// det F below this is not a physical state of nearly incompressible rubber but a local error of the mesh; the shipped designs stay
@@ -37,6 +38,7 @@ inline constexpr double crushed_jacobian = 0.5;
 /// goals      path.until has values that are not reached at full load
 /// crushed    det F far below 1 at a point of nearly incompressible rubber: next to a fixed edge or a sharp corner a mesh can be
 ///            compressed without limit and become unstable, which is a mesh artefact
+/// snaps      energy that snaps have set free, 1 % of the largest work of the loads or more
 /// maximum    the pressure has passed a maximum below the requested pressure and the path ended early after it: inverted
 ///            cells, contact or divergence there are consequences, not the cause
 /// No warnings for a motion in time.

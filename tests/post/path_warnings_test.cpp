@@ -77,6 +77,17 @@ TEST(PathWarnings, CrushedNearlyIncompressibleRubberIsReported) {
     EXPECT_TRUE(path_warnings(solved, reached, model::StopReason::limit_point).empty());
 }
 
+TEST(PathWarnings, SnapsAreComparedWithTheLargestWork) {
+    const model::Case solved = tube_of("neo-hookean", {{"mu", {1e5}}});
+    PathSummary reached;
+    reached.last.energies = model::Step::Energies{0, 1e-9, {}, 0.02};  // pressed and released again
+    reached.largest_work_J = 1;
+    EXPECT_TRUE(holds(path_warnings(solved, reached, model::StopReason::done),
+                      "small parts snap and set energy free, 2 % of the largest work of the loads"));
+    reached.last.energies->dissipated_J = 0.005;
+    EXPECT_TRUE(path_warnings(solved, reached, model::StopReason::done).empty());
+}
+
 TEST(PathWarnings, ALimitPressureBelowTheRequestedOneIsReported) {
     model::Case solved = tube_of("neo-hookean", {{"mu", {1e5}}});
     solved.loads = {{.name = "cavity", .targets = {"cavity"}, .gas = {}}};
