@@ -217,7 +217,7 @@ std::optional<Snap> snap_off(const PathPoint& beyond, const Events& events, Corr
     const auto before = branch_index(path, last), after = branch_index(path, beyond);
     const auto bifurcates = [](const Event& event) { return event.kind == Event::Kind::bifurcation; };
     if (!last.touches || !beyond.touches || !before || !after || *after <= *before ||
-        std::ranges::any_of(events.list, bifurcates))
+        std::ranges::any_of(events.list, bifurcates) || held_quantities(corrector.system(), path).empty())
         return std::nullopt;
     return snap(corrector, path, listeners, beyond.q - last.q);
 }

@@ -29,7 +29,8 @@ struct Snap {
 /// instead.
 [[nodiscard]] std::optional<Snap> snap(Corrector& corrector, PathState& path, const Listeners& listeners, double step);
 
-/// The same, where a step in contact has converged to a less stable state, and no bifurcation is found before it: it lies beyond a fold.
+/// The same, where a step in contact has converged to a less stable state, and no bifurcation is found before it: it lies beyond a fold, which
+/// only path.control: arc-length follows.
 [[nodiscard]] std::optional<Snap> snap_off(const PathPoint& beyond, const Events& events, Corrector& corrector,
                                            PathState& path, const Listeners& listeners);
 
