@@ -157,7 +157,7 @@ void PathFollower::step() {
     if (contact) return finish({contact->reason, contact->end_at(describe(*path_.last))});
     if (auto stop = stop_at_row(path_, system_)) return finish(std::move(*stop));
 
-    path_.step = next_step(input_.solver, path_, aim, error, corrector_.last_result());
+    path_.step = next_step(input_, path_, aim, error, corrector_.last_result());
     if (limits_steps_in_time(system_, path_)) path_.step = std::min(path_.step, longest_in_time(path_, late));
     if (const auto change = better_control(system_, path_)) change_control(*change);
 }

@@ -20,8 +20,8 @@ namespace {
 /// First step of a stage in time, of the shortest relaxation time: its error is not known before the second one.
 constexpr double first_share = 0.05;
 /// Distance at which the terms of the path's series are found, as a fraction of the stage's loads in the linear response; and the bound of
-/// the first step, in first steps of the settings.
-constexpr double series_share = 0.02, longest_first_step = 25.0;
+/// the first step, in first steps of the settings; the smaller one where derivatives are computed, of which the rows have no slopes.
+constexpr double series_share = 0.02, longest_first_step = 25.0, longest_with_derivatives = 5.0;
 
 /// The state without a direction, for a path that ends at its start.
 PathPoint point_without_direction(fem::System& system, const StageLoads& loads, State state) {
@@ -41,7 +41,8 @@ void use_series(Corrector& corrector, PathState& path, const PathPoint& start, d
         stage_of(system.input(), path).time_s || may_have_kinks(system, start) || system.contact().has_friction() ||
         std::ranges::any_of(path.loads->rate().motions, [](double rate) { return rate != 0.0; }))
         return;
-    const double share = std::min(longest_first_step * settings.first_step, 1.0);
+    const double longest = system.input().parameters.empty() ? longest_first_step : longest_with_derivatives;
+    const double share = std::min(longest * settings.first_step, 1.0);
     auto series = series_at(corrector, path, start, std::min(series_share, share) * full, share * std::abs(full));
     if (!series) return;
     path.before = std::move(series->behind);

@@ -45,8 +45,8 @@ constexpr double min_size_in_contact = 1e-5;
 /// In time the body may hardly move, or return to rest: the error of the state is relative to at least this fraction of its largest size.
 constexpr double min_step_in_time = 0.01;
 /// Bounds of the step-size factor from one step to the next; in contact the path may bend suddenly.
-constexpr double max_growth = 5.0, max_growth_in_contact = 2.5, growth_of_linear_steps = 100.0, min_shrink = 0.3,
-                 min_retake = 0.1;
+constexpr double max_growth = 5.0, max_growth_in_contact = 2.5, max_growth_of_derivatives = 2.0,
+                 growth_of_linear_steps = 100.0, min_shrink = 0.3, min_retake = 0.1;
 /// Times the estimated error of the viscous stress, so that loads and outputs of stress that nearly cancels, and the balance of energies,
 /// hold the accuracy too.
 constexpr double safety_in_time = 4.0;
@@ -234,8 +234,9 @@ void reduce_first_step(PathState& path, double step) {
     if (std::abs(step) < std::abs(path.first_step)) path.first_step = step;
 }
 
-double next_step(const model::SolverSettings& settings, const PathState& path, const Aim& aim,
-                 const PredictorError& error, const NewtonResult& result) {
+double next_step(const model::Case& input, const PathState& path, const Aim& aim, const PredictorError& error,
+                 const NewtonResult& result) {
+    const model::SolverSettings& settings = input.solver;
     double step = path.last->q - path.before->q;
     switch (settings.steps) {
         case model::StepRule::constant:  // grows back after a cut
@@ -254,7 +255,9 @@ double next_step(const model::SolverSettings& settings, const PathState& path, c
             const bool by_tangent = settings.predictor == model::Predictor::tangent;
             // After a tangent the next predictor is the cubic: for a series with decreasing terms its error is 4 missed^3.
             const double next = aim.straight && !by_tangent ? missed * missed : missed;
-            const double growth = path.last->touches ? max_growth_in_contact : max_growth;
+            const double growth = !input.parameters.empty() ? max_growth_of_derivatives
+                                  : path.last->touches      ? max_growth_in_contact
+                                                            : max_growth;
             step *= factor_for(next, aim.straight && by_tangent ? 1.0 : 3.0, settings, result, growth);
         }
     }

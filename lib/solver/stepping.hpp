@@ -71,7 +71,7 @@ void reduce_first_step(PathState& path, double step);
 [[nodiscard]] bool is_first_try(const fem::System& system, const PathState& path, double step);
 
 /// The step after one that was accepted.
-[[nodiscard]] double next_step(const model::SolverSettings& settings, const PathState& path, const Aim& aim,
+[[nodiscard]] double next_step(const model::Case& input, const PathState& path, const Aim& aim,
                                const PredictorError& error, const NewtonResult& result);
 
 /// This number changes with each eigenvalue that passes through zero between two points without a limit point of the load.
