@@ -254,10 +254,7 @@ ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) 
         for (const std::string& line : event_lines(summary.end, summary.steps, model)) console.say(line);
         for (const std::string& line : {control_line(summary, model), stability_line(summary)})
             if (!line.empty()) console.say(line);
-        if (summary.end.reason == model::StopReason::done)
-            console.say(summary_line(summary, model));
-        else
-            console.error(summary_line(summary, model));
+        console.say(summary_line(summary, model));
         for (const std::string& line : profile_lines(summary)) console.say(line);
         if (summary.accuracy)
             for (const std::string& line : accuracy_lines(*summary.accuracy)) console.warn(line);

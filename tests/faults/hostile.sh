@@ -34,5 +34,5 @@ row 'a cyclic YAML alias' mesh-gen 65 'cycle.yaml:*' nothing "$limits mesh-gen c
 for ((i = 0; i < 10000; ++i)); do echo "--set"; echo "mesh.size=1.$((i % 10))mm"; done >sets
 row '10,000 --set' mesh-gen 0 - 'a complete case' 'mapfile -t sets <sets; mesh-gen -q designs/tube.yaml "${sets[@]}" -o place/out'
 for ((i = 0; i < 10000; ++i)); do echo "--set"; echo "solver.step_limit=$((2 + i % 9))"; done >sets
-row '10,000 --set' solve 2 'step_limit: 2 steps were not enough*' - 'mapfile -t sets <sets; solve -q case.h5 "${sets[@]}" -o place/out'
+row '10,000 --set' solve 2 - - 'mapfile -t sets <sets; solve -q case.h5 "${sets[@]}" -o place/out'
 table_is_complete
