@@ -26,6 +26,9 @@ bellows='mesh-gen -q designs/bellows.yaml --set mesh.size=3mm --set path.until.e
 runs "$bellows -o plain.h5 && solve -q plain.h5 | postprocess -q -o plain.csv"
 runs "$bellows --sensitivity geometry.wall,material.mu -o case.h5 && solve -q case.h5 -o k.h5 && postprocess -q k.h5 -o curve.csv"
 claim "the end of the curve is unchanged" within "$(ratio "$(column pressure_kPa curve.csv | tail -n 1)" "$(column pressure_kPa plain.csv | tail -n 1)")" 0.99999999 1.00000001
+runs 'solve -q plain.h5 -o plain-result.h5 && postprocess -q plain-result.h5 --at elongation=5mm,10mm,20mm,30mm -o plain-at.csv && postprocess -q k.h5 --at elongation=5mm,10mm,20mm,30mm -o at.csv'
+claim "... and so is it between its rows, which may lie elsewhere" awk -v a="$(column pressure_kPa plain-at.csv | tr '\n' ' ')" -v b="$(column pressure_kPa at.csv | tr '\n' ' ')" \
+    'BEGIN { n = split(a, x, " "); split(b, y, " "); for (i = 1; i <= n; ++i) if (!((x[i] / y[i] - 1) ^ 2 < 1e-3 ^ 2)) exit 1; exit n != 4 }'
 cp k.h5 whole.h5
 runs 'postprocess -q k.h5 --sensitivity -o table.csv'
 claim "each row has a line for each number" [ "$(wc -l <table.csv)" = $((2 * $(wc -l <curve.csv) - 1)) ]
