@@ -311,6 +311,7 @@ void PathFollower::recover() {
     const double first_attempt = failed / std::pow(cut_of_failed_step, failures - 1);
     if (auto found = may_snap ? snap(corrector_, path_, listeners_, first_attempt) : std::nullopt)
         return go_on_after_snap(std::move(*found), "contact snaps to ");
+    // Walls that have passed through each other are no kink: the direction beyond it would lead back.
     if (auto point = may_be_kink && !path_.attempts.crossing ? pass_kink(corrector_, path_, failed) : std::nullopt;
         point && !breaks_energy_balance(corrector_, path_, *point) && !find_crossing(corrector_, listeners_, *point)) {
         const Goal* goal = nullptr;
